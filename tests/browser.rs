@@ -1,10 +1,10 @@
 //! The pages in a browser: each kind of page at 360 and 1280 pixels, light and dark, has no script error, does not
 //! overflow, typesets every equation as MathML, has labels where they are needed, and text that contrasts with what is
-//! behind it.
+//! behind it. Each kind is also given to axe, a checker of accessibility that others keep.
 //!
-//! The browser is Chromium without a window. A small script, which is put into copies of the pages, looks at a page in a
+//! The browser is Chromium without a window. A small script, which is put beside copies of the pages, looks at a page in a
 //! frame of the wanted width and writes what it finds into the document, which Chromium prints. Where there is no
-//! Chromium the tests are skipped, and counted as such.
+//! Chromium, or no axe, the tests that need it are skipped, and counted as such.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -15,34 +15,62 @@ use libtest_mimic::{Arguments, Failed, Trial};
 const PROBE: &str = include_str!("browser/probe.js");
 
 /// How to get the browser.
-const ADVICE: &str = "no chromium: `apt-get install chromium` gets it, or name it in CHROMIUM";
+const NO_BROWSER: &str = "no chromium: `apt-get install chromium` gets it, or name it in CHROMIUM";
+
+/// How to get the checker of accessibility.
+const NO_AXE: &str = "no axe: `npm install --prefix target/tools axe-core` gets it, or name its axe.min.js in AXE";
+
+/// Makes the pages of one kind in a folder, and returns the folder of the pages.
+type Make = fn(&Path) -> PathBuf;
+
+/// The kinds of pages.
+const KINDS: [(&str, Make); 7] = [
+    ("pages_of_a_report", pages_of_a_report),
+    ("page_with_mistakes", page_with_mistakes),
+    ("pages_of_a_lagrangian_in_notes", pages_of_a_lagrangian_in_notes),
+    ("page_of_a_tex_document", page_of_a_tex_document),
+    ("page_of_a_derivation", page_of_a_derivation),
+    ("single_page", single_page),
+    ("pages_of_a_class", pages_of_a_class),
+];
 
 fn main() -> ExitCode {
     let arguments = Arguments::from_args();
-    let browser = browser();
-    if browser.is_none() {
-        eprintln!("{ADVICE}");
-    }
-    let is_skipped = browser.is_none();
-    let trial = |name: &str, test: fn(&Browser) -> Result<(), String>| {
+    let (browser, axe) = (browser(), axe());
+    [(NO_BROWSER, &browser), (NO_AXE, &axe)].iter().filter(|(_, tool)| tool.is_none()).for_each(|(advice, _)| {
+        eprintln!("{advice}");
+    });
+    let mut trials = Vec::new();
+    let mut add = |name: &str, needs_axe: bool, test: Box<dyn Fn(&Browser) -> Result<(), String> + Send>| {
+        let axe = axe.clone().filter(|_| needs_axe);
+        let is_skipped = browser.is_none() || (needs_axe && axe.is_none());
         let browser = browser.clone();
-        Trial::test(name, move || {
-            let path = browser.ok_or_else(|| Failed::from(ADVICE))?;
-            test(&Browser { path }).map_err(Failed::from)
-        })
-        .with_ignored_flag(is_skipped)
+        let trial = Trial::test(name, move || {
+            let path = browser.ok_or_else(|| Failed::from(NO_BROWSER))?;
+            if needs_axe && axe.is_none() {
+                return Err(Failed::from(NO_AXE));
+            }
+            test(&Browser { path, axe }).map_err(Failed::from)
+        });
+        trials.push(trial.with_ignored_flag(is_skipped));
     };
-    let trials = vec![
-        trial("pages_of_a_report", pages_of_a_report),
-        trial("page_with_mistakes", page_with_mistakes),
-        trial("pages_of_a_lagrangian_in_notes", pages_of_a_lagrangian_in_notes),
-        trial("page_of_a_tex_document", page_of_a_tex_document),
-        trial("page_of_a_derivation", page_of_a_derivation),
-        trial("single_page", single_page),
-        trial("pages_of_a_class", pages_of_a_class),
-        trial("what_is_wrong_is_found", what_is_wrong_is_found),
-    ];
+    for (name, make) in KINDS {
+        add(name, false, Box::new(move |browser| browser.expect_none(&make(&desk(name)))));
+        let name = format!("{name}_by_axe");
+        add(&name.clone(), true, Box::new(move |browser| browser.expect_none(&make(&desk(&name)))));
+    }
+    add("what_is_wrong_is_found", false, Box::new(|browser| what_is_wrong_is_found(browser, &WRONG)));
+    add("what_is_wrong_is_found_by_axe", true, Box::new(|browser| what_is_wrong_is_found(browser, &WRONG_FOR_AXE)));
     libtest_mimic::run(&arguments, trials).exit_code()
+}
+
+/// The script of axe, if it is there.
+fn axe() -> Option<PathBuf> {
+    let named = std::env::var_os("AXE").map(PathBuf::from);
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().map(|target| target.join("tools"));
+    let folders = [target, Some("/usr/lib".into()), Some("/usr/local/lib".into()), Some("/usr/share".into())];
+    let found = folders.into_iter().flatten().map(|folder| folder.join("node_modules/axe-core/axe.min.js"));
+    named.into_iter().chain(found).find(|path| path.is_file())
 }
 
 /// The program, if there is one.
@@ -58,6 +86,8 @@ fn browser() -> Option<PathBuf> {
 /// Chromium.
 struct Browser {
     path: PathBuf,
+    /// The script of axe, if it is to look at the pages too.
+    axe: Option<PathBuf>,
 }
 
 impl Browser {
@@ -69,10 +99,13 @@ impl Browser {
         pages.retain(|path| path.extension().is_some_and(|ending| ending == "html"));
         pages.sort();
         let style = std::fs::read_to_string(folder.join("style.css")).unwrap_or_default();
+        let axe = self.axe.iter().map(|path| format!("<script src=\"file://{}\"></script>", path.display()));
+        let axe: String = axe.collect();
         let mut frames = String::new();
         for page in &pages {
             let text = std::fs::read_to_string(page).map_err(failed)?;
             let text = text.replace("<link rel=\"stylesheet\" href=\"style.css\">", &format!("<style>{style}</style>"));
+            let text = text.replace("</body>", &format!("{axe}</body>"));
             let name = page.file_name().unwrap_or_default().to_string_lossy();
             for dark in [false, true] {
                 // What the style says for dark screens is said for this page, or for none.
@@ -101,7 +134,7 @@ impl Browser {
             "--disable-component-update",
             "--disable-sync",
             "--virtual-time-budget=20000",
-            "--timeout=60000",
+            "--timeout=120000",
             "--dump-dom",
         ];
         let run = Command::new(&self.path)
@@ -146,61 +179,54 @@ fn derivations() -> String {
     format!("{}/derivations", env!("CARGO_MANIFEST_DIR"))
 }
 
-fn pages_of_a_report(browser: &Browser) -> Result<(), String> {
-    let folder = desk("report");
-    onshell(&folder, &["report", &derivations(), "--out", "pages"]);
-    browser.expect_none(&folder.join("pages"))
+fn pages_of_a_report(folder: &Path) -> PathBuf {
+    onshell(folder, &["report", &derivations(), "--out", "pages"]);
+    folder.join("pages")
 }
 
-fn page_with_mistakes(browser: &Browser) -> Result<(), String> {
-    let folder = desk("mistakes");
+fn page_with_mistakes(folder: &Path) -> PathBuf {
     let long = "a + b + c + d + e_1 + f + g + h + k + l + m + n + o + p".repeat(3);
     let notes = format!(
         "# A title\n\n$$ (a+b)^2 = a^2 + b^2 $$\n\nWith ${long}$ in a line, and\n\n$$ {long} = 1 $$\n\n\
          | | a |\n|---|---|\n| b | $x$ |\n\n$$ \\frac{{a^2-b^2}}{{a-b}} = a - b $$\n\n$$ \\foo{{ $$\n"
     );
     std::fs::write(folder.join("notes.md"), notes).expect("the notes can be written");
-    onshell(&folder, &["report", "notes.md", "--out", "pages"]);
-    browser.expect_none(&folder.join("pages"))
+    onshell(folder, &["report", "notes.md", "--out", "pages"]);
+    folder.join("pages")
 }
 
 /// With pictures, derived terms beside printed ones, and the curves of a wrong equation.
-fn pages_of_a_lagrangian_in_notes(browser: &Browser) -> Result<(), String> {
-    let folder = desk("lagrangian");
+fn pages_of_a_lagrangian_in_notes(folder: &Path) -> PathBuf {
     let notes = "# A bead\n\nThe Lagrangian is\n\n$$ L = \\frac12 m R^2 (\\dot\\theta^2 + \\Omega^2 \\sin^2\\theta) + m g R \\cos\\theta $$\n\n\
                  $$ m R^2 \\ddot\\theta = m R^2 \\Omega^2 \\sin\\theta\\cos\\theta + m g R \\sin\\theta $$\n";
     std::fs::write(folder.join("bead.md"), notes).expect("the notes can be written");
-    onshell(&folder, &["report", "bead.md", "--out", "pages"]);
-    browser.expect_none(&folder.join("pages"))
+    onshell(folder, &["report", "bead.md", "--out", "pages"]);
+    folder.join("pages")
 }
 
-fn page_of_a_tex_document(browser: &Browser) -> Result<(), String> {
-    let folder = desk("tex");
+fn page_of_a_tex_document(folder: &Path) -> PathBuf {
     let notes = "\\documentclass{article}\n\\begin{document}\n\\section{Squares}\nIt is \\emph{known} that\n\\begin{itemize}\n\\item $a > 0$\n\
                  \\end{itemize}\n\\[ (a+b)^2 = a^2 + b^2 \\]\n\\end{document}\n";
     std::fs::write(folder.join("notes.tex"), notes).expect("the notes can be written");
-    onshell(&folder, &["report", "notes.tex", "--out", "pages"]);
-    browser.expect_none(&folder.join("pages"))
+    onshell(folder, &["report", "notes.tex", "--out", "pages"]);
+    folder.join("pages")
 }
 
-fn page_of_a_derivation(browser: &Browser) -> Result<(), String> {
-    let folder = desk("derivation");
+fn page_of_a_derivation(folder: &Path) -> PathBuf {
     let run =
         Command::new(env!("CARGO_BIN_EXE_onshell")).args(["derive", "kepler", "--steps", "--format", "html"]).output();
     std::fs::create_dir_all(folder.join("pages")).expect("the folder can be made");
     std::fs::write(folder.join("pages/kepler.html"), run.expect("the program runs").stdout)
         .expect("the page can be written");
-    browser.expect_none(&folder.join("pages"))
+    folder.join("pages")
 }
 
-fn single_page(browser: &Browser) -> Result<(), String> {
-    let folder = desk("single");
-    onshell(&folder, &["report", &format!("{}/06-spinning-top.json", derivations()), "--out", "pages", "--single"]);
-    browser.expect_none(&folder.join("pages"))
+fn single_page(folder: &Path) -> PathBuf {
+    onshell(folder, &["report", &format!("{}/06-spinning-top.json", derivations()), "--out", "pages", "--single"]);
+    folder.join("pages")
 }
 
-fn pages_of_a_class(browser: &Browser) -> Result<(), String> {
-    let folder = desk("class");
+fn pages_of_a_class(folder: &Path) -> PathBuf {
     let write = |name: &str, text: &str| std::fs::write(folder.join(name), text).expect("the file can be written");
     write(
         "fall.md",
@@ -213,20 +239,24 @@ fn pages_of_a_class(browser: &Browser) -> Result<(), String> {
         "class/ben.md",
         "$$ t_1 = \\frac{v_0}{2g} $$\n\n$$ H = v_0 t_1 - \\frac12 g t_1^2 = \\frac{3 v_0^2}{8 g} $$\n",
     );
-    onshell(&folder, &["mark", "class", "--claims", "fall.json", "--hints", "3", "--out", "pages"]);
-    browser.expect_none(&folder.join("pages"))
+    onshell(folder, &["mark", "class", "--claims", "fall.json", "--hints", "3", "--out", "pages"]);
+    folder.join("pages")
 }
 
-/// The checker finds what is wrong with a page that was made wrong on purpose.
-fn what_is_wrong_is_found(browser: &Browser) -> Result<(), String> {
-    let folder = desk("wrong");
+/// What the script finds in a page that was made wrong on purpose.
+const WRONG: [&str; 7] = ["overflows", "contrast", "no MathML", "no name", "no title", "no language", "script error"];
+
+/// The rules of axe that such a page breaks.
+const WRONG_FOR_AXE: [&str; 5] = ["color-contrast", "link-name", "document-title", "html-has-lang", "image-alt"];
+
+fn what_is_wrong_is_found(browser: &Browser, expected: &[&str]) -> Result<(), String> {
+    let folder = desk(&format!("wrong_{}", browser.axe.is_some()));
     let page = "<!DOCTYPE html><html><head><title></title></head><body><main>\
                 <div style='width:2000px'>wide</div><p style='color:#aaa;background:#fff'>pale</p><a href='#x'></a>\
-                <section class='equation'><div>a = b</div></section><div tabindex=0>no label</div>\
+                <img src='data:,'><section class='equation'><div>a = b</div></section><div tabindex=0>no label</div>\
                 <script>nothing()</script></main></body></html>";
     std::fs::write(folder.join("wrong.html"), page).expect("the page can be written");
     let faults = browser.faults(&folder)?.join("\n");
-    let expected = ["overflows", "contrast", "no MathML", "no name", "no title", "no language", "script error"];
     match expected.iter().find(|words| !faults.contains(*words)) {
         Some(words) => Err(format!("“{words}” is not found in {faults}")),
         None => Ok(()),

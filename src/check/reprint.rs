@@ -90,6 +90,7 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
         sentences: Vec::new(),
         unnumbered: print.equations.iter().filter(|display| display.id().is_none()).count(),
         inferred: inferred.collect(),
+        definitions: Vec::new(),
     })
 }
 

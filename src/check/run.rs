@@ -77,6 +77,7 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
                 .filter(|(claim, d)| claim.is_none() && d.id().is_none())
                 .count(),
             inferred: checker.model.inferred.clone(),
+            definitions: checker.model.definitions(),
         })
     })
 }

@@ -75,6 +75,7 @@ pub(super) fn edits(text: &str) -> Vec<(Span, String)> {
         edits.extend(
             text.match_indices(function).filter_map(|(at, _)| power_moved(text, at + function.len())).flatten(),
         );
+        edits.extend(text.match_indices(function).filter_map(|(at, _)| divided(text, at + function.len())).flatten());
     }
     edits.extend(numbers(text).into_iter().filter_map(|number| {
         degrees(text, number).or_else(|| {
@@ -153,6 +154,30 @@ fn is_between_statements(text: &str, (start, end): (usize, usize), words: &str) 
 fn between_digits(text: &str, at: usize, length: usize) -> bool {
     let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
     digit(text[..at].chars().next_back()) && digit(text[at + length..].chars().next())
+}
+
+/// The edits that enclose the argument of a function which is divided by a parenthesis or by another function:
+/// `\sin\alpha/(M+m)`. Nobody means the sine of that quotient. `from` is the end of the function.
+fn divided(text: &str, from: usize) -> Option<[(Span, String); 2]> {
+    let skip = |at: usize| at + text[at..].len() - text[at..].trim_start().len();
+    let mut start = skip(from);
+    if text[start..].starts_with('^') {
+        let power = &text[start + 1..];
+        let length = match power.starts_with('{') {
+            true => power.find('}')? + 1,
+            false => power.chars().next().filter(char::is_ascii_digit)?.len_utf8(),
+        };
+        start = skip(start + 1 + length);
+    }
+    let argument = text[start..].strip_prefix('\\').unwrap_or(&text[start..]);
+    let is_command = argument.len() < text[start..].len();
+    let letters = argument.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(argument.len());
+    let length = if is_command { 1 + letters } else { letters.min(1) };
+    let end = start + length;
+    let after = text[skip(end)..].strip_prefix('/')?.trim_start();
+    let is_enclosed = ["(", "\\left(", "\\sin", "\\cos", "\\tan"].iter().any(|below| after.starts_with(below));
+    (letters > 0 && is_enclosed)
+        .then(|| [(Span::new(start, start), "(".to_owned()), (Span::new(end, end), ")".to_owned())])
 }
 
 /// The edits that put the power after a parenthesis, `(x)^2`, before it; `from` is the end of the function.

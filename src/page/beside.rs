@@ -4,7 +4,7 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::typeset;
-use super::{Exhibit, derivation, lecture_anchor};
+use super::{Exhibit, derivation};
 use crate::check::{Equation, Verdict};
 use crate::formula::text::plain;
 use crate::latex::Macros;
@@ -35,13 +35,12 @@ fn figure(svg: &str, caption: &str) -> Markup {
 
 /// What follows the text of a document: pictures, and the derivation of its system. A page with everything has both
 /// once, at its end.
-pub(super) fn after(exhibit: &Exhibit, prefix: &str, single: bool) -> Markup {
+pub(super) fn after(exhibit: &Exhibit, anchor: Option<&str>, prefix: &str, single: bool) -> Markup {
     html! {
         @if !single || exhibit.lecture.is_none() { (pictures(exhibit)) }
-        @if let Some(lecture) = &exhibit.lecture {
+        @if let Some((lecture, anchor)) = exhibit.lecture.as_ref().zip(anchor) {
             section {
                 h2 { "The derivation, step by step" }
-                @let anchor = lecture_anchor(lecture);
                 @let address = if single { format!("#{anchor}") } else { format!("{anchor}.html") };
                 p {
                     "The program derived the equations of this system by itself, line by line, each certified against those "
@@ -59,8 +58,14 @@ pub(super) fn after(exhibit: &Exhibit, prefix: &str, single: bool) -> Markup {
 }
 
 /// The printed equation beside the derived one, term by term.
-pub(super) fn lineup(item: &Equation, display: Option<&Display>, beside: Option<&Beside>) -> Markup {
-    let found = display.zip(beside).and_then(|(display, beside)| beside.lineup(&display.text, &Macros::default()));
+pub(super) fn lineup(
+    item: &Equation,
+    display: Option<&Display>,
+    beside: Option<&Beside>,
+    definitions: &[String],
+) -> Markup {
+    let found =
+        display.zip(beside).and_then(|(display, beside)| beside.lineup(&display.text, &Macros::default(), definitions));
     let Some(found) = found.filter(|found| !(found.is_the_same() && found.rows.len() < 2)) else { return html! {} };
     // What holds under a hypothesis, or is an erratum, may differ from the general equation and be right.
     if item.finding.verdict.passes() && !found.is_the_same() {
@@ -99,12 +104,17 @@ pub(super) fn lineup(item: &Equation, display: Option<&Display>, beside: Option<
 }
 
 /// Both sides of a wrong equation as curves.
-pub(super) fn sides(item: &Equation, display: Option<&Display>, beside: Option<&Beside>) -> Markup {
+pub(super) fn sides(
+    item: &Equation,
+    display: Option<&Display>,
+    beside: Option<&Beside>,
+    definitions: &[String],
+) -> Markup {
     let Some(display) = display.filter(|_| item.finding.verdict == Verdict::Refuted) else { return html! {} };
-    let of_system = beside.and_then(|beside| beside.sides(&display.text, &Macros::default()));
+    let of_system = beside.and_then(|beside| beside.sides(&display.text, &Macros::default(), definitions));
     let of_numbers = || {
         let found = item.finding.counterexample.as_ref()?;
-        Sides::of_counterexample(&display.text, &Macros::default(), &found.state, (found.lhs, found.rhs))
+        Sides::of_counterexample(&display.text, (&Macros::default(), definitions), &found.state, (found.lhs, found.rhs))
     };
     let Some(found) = of_system.or_else(of_numbers) else { return html! {} };
     let name = plain(&found.variable);

@@ -130,8 +130,8 @@ fn equation(
                 }
                 div class="evidence" {
                     (evidence::evidence(item, document, display, macros, prefix))
-                    (beside::lineup(item, display, derived))
-                    (beside::sides(item, display, derived))
+                    (beside::lineup(item, display, derived, &document.definitions))
+                    (beside::sides(item, display, derived, &document.definitions))
                 }
             }
             @if let Some(found) = display.and_then(|display| corrections::errata(item, display)) {

@@ -21,6 +21,7 @@ pub(super) fn short(item: &Equation) -> Markup {
             (Verdict::Certified, None) => "decided exactly",
             (Verdict::Verified, _) if finding.points > 1 => { "holds at " (finding.points) " sampled states" },
             (Verdict::Definition, _) => "defines a symbol",
+            (Verdict::Refuted, _) if item.ok => "refuted, as the claims file expects",
             (Verdict::Law | Verdict::Assumed, _) => "taken for granted",
             _ => {}
         }
@@ -112,8 +113,9 @@ fn counterexample(item: &Equation, macros: &[MacroDefinition]) -> Markup {
                 div class="wide" tabindex="0" role="group" aria-label="The state of the counterexample" {
                     table class="state" {
                         caption { "A state at which it fails" }
+                        thead { tr { th scope="col" { "symbol" } th scope="col" { "value" } } }
                         tbody { @for (name, value) in &found.state {
-                            tr { th scope="row" { (typeset::inline(name, macros)) } td { (number(*value, 5)) } }
+                            tr { td { (typeset::inline(name, macros)) } td { (number(*value, 5)) } }
                         } }
                     }
                 }
@@ -136,7 +138,7 @@ fn excerpt(source: &Source, span: Span, label: &str) -> Markup {
 }
 
 /// A message as a sentence.
-fn capital(message: &str) -> String {
+pub(super) fn capital(message: &str) -> String {
     let message = message.trim_end_matches('.');
     // A word of letters alone begins with a capital; a formula stays as it is.
     let first = message.split(' ').next().unwrap_or_default();

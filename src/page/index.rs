@@ -3,12 +3,17 @@
 use maud::{Markup, html};
 
 use super::document::{display_of, displays, title};
-use super::{badge, chips, corrections, derivation, equation_anchor, lecture_anchor, prefix, prose, tone, typeset};
+use super::{badge, chips, corrections, derivation, equation_anchor, prefix, prose, tone, typeset};
 use crate::check::{Document, Equation, Report, Verdict};
 use crate::lecture::Lecture;
 
 /// The index. `link` gives the address of each document.
-pub(super) fn index(report: &Report, lectures: &[&Lecture], link: &dyn Fn(usize) -> String, single: bool) -> Markup {
+pub(super) fn index(
+    report: &Report,
+    lectures: &[(String, &Lecture)],
+    link: &dyn Fn(usize) -> String,
+    single: bool,
+) -> Markup {
     let is_found = |item: &&Equation| !item.ok || !item.finding.verdict.passes();
     let address = |at: usize, item: &Equation| {
         let before =
@@ -67,8 +72,7 @@ pub(super) fn index(report: &Report, lectures: &[&Lecture], link: &dyn Fn(usize)
                 h2 id="derivations" { "Derivations, line by line" }
                 p { "From the parts of a system to its equations of motion. The program derives and typesets each line, and certifies it against the lines before it." }
                 ul {
-                    @for lecture in lectures {
-                        @let name = lecture_anchor(lecture);
+                    @for (name, lecture) in lectures {
                         @let address = if single { format!("#{name}") } else { format!("{name}.html") };
                         li { a href=(address) { (derivation::title(lecture)) } ", " (lecture.lines().count()) " lines" }
                     }
@@ -106,7 +110,7 @@ fn introduction(report: &Report) -> Markup {
                     (Verdict::Verified, true, "holds at every state that was tried"),
                     (Verdict::Definition, true, "gives a name, and other equations test it"),
                     (Verdict::Refuted, false, "fails at a state, which is given, with a correction"),
-                    (Verdict::Refuted, true, "a mistake of the notes that is known: an erratum"),
+                    (Verdict::Refuted, true, "a known mistake of the notes: it is refuted, and the correction is given"),
                     (Verdict::Undecided, false, "not decided; the reason is given"),
                 ] {
                     div { dt { (badge(verdict, ok)) } dd { (meaning) } }

@@ -56,20 +56,21 @@ pub fn pages(report: &Report, exhibits: &[&Exhibit], single: bool) -> Vec<Page> 
     let names = names(report);
     let page = |name: &str, title: &str, body: &Markup| Page {
         name: name.to_owned(),
-        text: framed(title, &way_back(name), body, single).into_string(),
+        text: framed(title, &way_back(name, "All documents"), body, single).into_string(),
     };
     let link = |at: usize| if single { format!("#{}", anchor(&names[at])) } else { names[at].clone() };
-    let mut lectures: Vec<&Lecture> = exhibits.iter().filter_map(|exhibit| exhibit.lecture.as_ref()).collect();
-    // Documents that are checked one by one may have the same system.
-    lectures.sort_by(|a, b| a.name.cmp(&b.name));
-    lectures.dedup_by(|a, b| a.name == b.name);
+    let lectures = lectures(exhibits);
     let index = index::index(report, &lectures, &link, single);
     let exhibit = |at: usize| -> Option<&Exhibit> {
         let path = &report.documents[at].path;
         exhibits.iter().copied().find(|exhibit| exhibit.documents.contains(path))
     };
+    let anchor_of = |exhibit: &Exhibit| {
+        let own = exhibit.lecture.as_ref()?;
+        lectures.iter().find(|(_, lecture)| lecture.notes == own.notes).map(|(anchor, _)| anchor.as_str())
+    };
     let document = |at: usize, prefix: &str| {
-        let after = html! { @if let Some(exhibit) = exhibit(at) { (beside::after(exhibit, prefix, single)) } };
+        let after = html! { @if let Some(exhibit) = exhibit(at) { (beside::after(exhibit, anchor_of(exhibit), prefix, single)) } };
         document::document(
             &report.documents[at],
             prefix,
@@ -77,9 +78,10 @@ pub fn pages(report: &Report, exhibits: &[&Exhibit], single: bool) -> Vec<Page> 
             &after,
         )
     };
-    let whole = |exhibit: &Exhibit, prefix: &str| {
-        let pictures = beside::pictures(exhibit);
-        html! { @if let Some(lecture) = &exhibit.lecture { (derivation::lecture(lecture, prefix, &pictures)) } }
+    // Each lecture once, with the pictures of the first exhibit that has it.
+    let whole = |(anchor, _): &(String, &Lecture), prefix: &str| {
+        let first = exhibits.iter().find(|exhibit| anchor_of(exhibit) == Some(anchor));
+        html! { @if let Some(exhibit) = first { (whole(exhibit, prefix)) } }
     };
     if single {
         let body = html! {
@@ -87,11 +89,8 @@ pub fn pages(report: &Report, exhibits: &[&Exhibit], single: bool) -> Vec<Page> 
             @for (at, name) in names.iter().enumerate() {
                 section id=(anchor(name)) { (document(at, &prefix(name))) }
             }
-            @for exhibit in exhibits.iter().copied() {
-                @if let Some(lecture) = &exhibit.lecture {
-                    @let anchor = lecture_anchor(lecture);
-                    section id=(anchor) { (whole(exhibit, &format!("{anchor}-"))) }
-                }
+            @for lecture in &lectures {
+                section id=(lecture.0) { (whole(lecture, &format!("{}-", lecture.0))) }
             }
         };
         return vec![page("index.html", "Checked equations", &body)];
@@ -108,38 +107,50 @@ pub fn pages(report: &Report, exhibits: &[&Exhibit], single: bool) -> Vec<Page> 
         };
         all.push(page(name, &document::title(&report.documents[at]), &body));
     }
-    for exhibit in exhibits.iter().copied() {
-        if let Some(lecture) = &exhibit.lecture {
-            let name = format!("{}.html", lecture_anchor(lecture));
-            if all.iter().any(|page| page.name == name) {
-                continue;
-            }
-            all.push(page(&name, &derivation::title(lecture), &whole(exhibit, "")));
-        }
+    for lecture in &lectures {
+        all.push(page(&format!("{}.html", lecture.0), &derivation::title(lecture.1), &whole(lecture, "")));
     }
     all.push(Page { name: "style.css".to_owned(), text: style::STYLE.to_owned() });
     all
 }
 
 /// The line above a page: the program, and the way to the first page.
-fn way_back(name: &str) -> Markup {
+fn way_back(name: &str, all: &str) -> Markup {
     html! {
         b { "onshell" }
-        @if name != "index.html" { a href="index.html" { "All documents" } }
+        @if name != "index.html" { a href="index.html" { (all) } }
     }
 }
 
 /// The page of a lecture by itself, with the pictures of its system and its style in it.
 pub fn lecture(lecture: &Lecture, pictures: &[Picture]) -> String {
     let body = derivation::lecture(lecture, "", &beside::figures(pictures));
-    framed(&derivation::title(lecture), &way_back("index.html"), &body, true).into_string()
+    framed(&derivation::title(lecture), &way_back("index.html", ""), &body, true).into_string()
 }
 
-/// The anchor of a lecture in a page with all documents, and the name of its own page. No document has it, because
-/// the name of its page has no dot in it.
-fn lecture_anchor(lecture: &Lecture) -> String {
+/// The lectures, each once, by name. Each has its anchor in a page with all documents, which is also the name of its own
+/// page. No document has it, because the name of its page has no dot in it. Lectures on notes of the same name in two
+/// folders have two anchors.
+fn lectures<'e>(exhibits: &[&'e Exhibit]) -> Vec<(String, &'e Lecture)> {
     let plain = |c: char| if c.is_alphanumeric() || c == '_' { c } else { '-' };
-    format!("derivation.{}", lecture.name.chars().map(plain).collect::<String>())
+    let mut all: Vec<(String, &Lecture)> = Vec::new();
+    for lecture in exhibits.iter().filter_map(|exhibit| exhibit.lecture.as_ref()) {
+        // Documents that are checked one by one may have the same system.
+        if all.iter().any(|(_, other)| other.notes == lecture.notes) {
+            continue;
+        }
+        let stem = format!("derivation.{}", lecture.name.chars().map(plain).collect::<String>());
+        let names = std::iter::once(stem.clone()).chain((2..).map(|n| format!("{stem}-{n}")));
+        let free = names.into_iter().find(|name| all.iter().all(|(other, _)| other != name));
+        all.push((free.unwrap_or(stem), lecture));
+    }
+    all.sort_by(|a, b| a.0.cmp(&b.0));
+    all
+}
+
+fn whole(exhibit: &Exhibit, prefix: &str) -> Markup {
+    let pictures = beside::pictures(exhibit);
+    html! { @if let Some(lecture) = &exhibit.lecture { (derivation::lecture(lecture, prefix, &pictures)) } }
 }
 
 fn framed(title: &str, way: &Markup, body: &Markup, single: bool) -> Markup {
@@ -213,8 +224,9 @@ fn badge(verdict: Verdict, ok: bool) -> Markup {
         (false, _) => "?",
     };
     let class = format!("badge {}", tone(verdict, ok));
-    let word = if ok && !verdict.passes() && verdict == Verdict::Refuted { " as expected" } else { "" };
-    html! { span class=(class) { span aria-hidden="true" { (mark) " " } (verdict.word()) (word) } }
+    // What the claims file expects to be refuted is a mistake of the notes that is known.
+    let word = if ok && verdict == Verdict::Refuted { "erratum" } else { verdict.word() };
+    html! { span class=(class) { span aria-hidden="true" { (mark) " " } (word) } }
 }
 
 /// How many equations and sentences of a document have each verdict: `16 certified, 2 refuted`.

@@ -2,6 +2,8 @@
 
 use maud::{Markup, html};
 
+use super::corrections::Correction;
+use super::evidence::capital;
 use super::{Page, framed, style, typeset, way_back};
 use crate::check::mark::{Line, Mark, Marked, Reached};
 use crate::notes::{Kind, MacroDefinition, Notes};
@@ -12,7 +14,7 @@ pub fn class_pages(problem: &str, class: &[Marked], hints: Hints) -> Vec<Page> {
     let names = names(class);
     let page = |name: &str, title: &str, body: &Markup| Page {
         name: name.to_owned(),
-        text: framed(title, &way_back(name), body, false).into_string(),
+        text: framed(title, &way_back(name, "All students"), body, false).into_string(),
     };
     let mut all = vec![page("index.html", "Marks", &index(problem, class, &names))];
     for (marked, name) in class.iter().zip(&names) {
@@ -126,35 +128,43 @@ fn student(marked: &Marked, hints: Hints) -> Markup {
 }
 
 fn shown(marked: &Marked, (at, line): (usize, &Line), macros: &[MacroDefinition], hints: Hints) -> Markup {
-    let class = match line.mark {
-        _ if hints.0 == 0 => "given",
-        Mark::Right => "verified",
-        Mark::Wrong => "refuted",
-        Mark::Carried | Mark::Open | Mark::Unread => "undecided",
+    let tone = match line.mark {
+        Mark::Right => "good",
         Mark::Given => "given",
+        Mark::Wrong => "bad",
+        Mark::Carried => "known",
+        Mark::Open | Mark::Unread => "open",
     };
-    let badge = match line.mark {
-        Mark::Right | Mark::Given => "badge good",
-        Mark::Wrong => "badge bad",
-        Mark::Carried | Mark::Open | Mark::Unread => "badge known",
-    };
+    let class = if hints.0 == 0 { "given" } else { tone };
     html! {
         section class={ "equation " (class) } id={ "line-" (at) } aria-label=(line.name) {
             div class="line" {
                 div class="wide" tabindex="0" role="group" aria-label={ "The equation of " (line.name) } {
                     (typeset::block(&line.statement, macros))
                 }
-                span class="number" { (line.id.as_deref().unwrap_or(&line.name)) }
-                @if hints.0 > 0 { span class=(badge) { (line.mark.sign()) " " (line.mark.word()) } }
+                span class="number" { (line.id.as_deref().unwrap_or(&line.name)) } " "
+                @if hints.0 > 0 { span class={ "badge " (tone) } { (line.mark.sign()) " " (line.mark.word()) } }
             }
             @if hints.0 > 0 {
-                p { (line.because)
-                    @if let Some(from) = line.follows_from { " " a href={ "#line-" (from) } { "See " (marked.lines[from].name) } }
-                    "." }
-                @if line.mark == Mark::Wrong { p { (hint(marked, line, hints)) "." } }
-                @if hints.0 >= 3 && line.mark == Mark::Wrong {
-                    @if let Some(text) = corrected(marked, line) {
-                        div class="wide" tabindex="0" role="group" aria-label="The corrected line" { (typeset::block(&text, macros)) }
+                p {
+                    (capital(&line.because))
+                    @if let Some(from) = line.follows_from { " (" a href={ "#line-" (from) } { (marked.lines[from].name) } ")" }
+                    "."
+                    @if let (Some(result), Some(credit)) = (line.result.and_then(|at| marked.results.get(at)), line.credit) {
+                        " Result " (called(result)) ": " (number(credit)) " of " (number(result.points)) " points."
+                    }
+                }
+                @if line.mark == Mark::Wrong {
+                    @match (line.derived.as_ref(), corrected(marked, line)) {
+                        (_, Some(correction)) if hints.0 >= 3 => {
+                            p { (capital(&hint(marked, line, Hints(2)))) "." }
+                            (super::document::corrected(&correction, "Correction", macros))
+                        }
+                        (Some(derived), None) if hints.0 >= 3 => {
+                            p { (capital(&hint(marked, line, Hints(2)))) ". It is off by, or should read:" }
+                            div class="wide" tabindex="0" role="group" aria-label="What it should be" { (typeset::block(derived, macros)) }
+                        }
+                        _ => p { (capital(&hint(marked, line, hints))) "." },
                     }
                 }
             }
@@ -162,11 +172,13 @@ fn shown(marked: &Marked, (at, line): (usize, &Line), macros: &[MacroDefinition]
     }
 }
 
-/// A wrong line with its correction.
-fn corrected(marked: &Marked, line: &Line) -> Option<String> {
-    let (_, should) = correction(marked, line)?;
+/// The edit that corrects a wrong line, and the line with it.
+fn corrected(marked: &Marked, line: &Line) -> Option<Correction> {
+    let (printed, read) = correction(marked, line)?;
     let slip = line.slip.as_ref().filter(|slip| line.span.contains(slip.span))?;
     let mut text = marked.source.slice(line.span).to_owned();
-    text.replace_range(slip.span.start - line.span.start..slip.span.end - line.span.start, &format!(" {should} "));
-    Some(text)
+    let start = slip.span.start - line.span.start;
+    text.replace_range(start..slip.span.end - line.span.start, &format!(" {read} "));
+    let new = (!read.is_empty()).then(|| (start + 1..start + 1 + read.len(), super::math_marks::Mark::Mend));
+    Some(Correction { printed, read, corrected: Some((text, new.into_iter().collect())) })
 }

@@ -220,29 +220,13 @@ pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
             let letters: Vec<String> = marked.letters.iter().map(|(own, other)| format!("{own} for {other}")).collect();
             out += &(wrap("  letters: ", &letters.join(", "), 4, style.width) + "\n");
         }
-        let width = marked.lines.iter().map(|line| line.name.len()).max().unwrap_or(0);
-        for line in &marked.lines {
-            let first = format!("  {} {:width$}  ", line.mark.sign(), line.name);
-            out += &(wrap(&first, &shortened(&line.statement), 4 + width + 2, style.width) + "\n");
-            let mut notes = Vec::new();
-            match line.mark {
-                Mark::Right if line.because == "follows from the problem" => {}
-                _ => notes.push(format!("{}: {}", line.mark.word(), line.because)),
-            }
-            if let (Some(at), Some(credit)) = (line.result, line.credit) {
-                let result = &marked.results[at];
-                let how =
-                    if result.reached == Reached::Yes { String::new() } else { format!(", {}", result.reached.word()) };
-                notes.push(format!("result {}{how}: {} of {}", called(result), number(credit), number(result.points)));
-            }
-            if line.mark == Mark::Wrong && hints.0 > 0 {
-                notes.push(hint(marked, line, hints));
-            }
-            let indent = " ".repeat(4 + width + 2);
-            for note in notes {
-                out += &(wrap(&indent, &note, 4 + width + 2, style.width) + "\n");
-            }
+        if hints.0 == 0 {
+            let said =
+                if marked.is_wrong() { "something in this hand-in is wrong or missing" } else { "nothing is wrong" };
+            out += &format!("  {said}\n\n");
+            continue;
         }
+        marked_lines(marked, hints, style, &mut out);
         for result in marked.results.iter().filter(|result| result.reached == Reached::No) {
             out += &(wrap("  missing: ", &called(result), 4, style.width) + "\n");
         }
@@ -268,4 +252,31 @@ pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
         );
     }
     out
+}
+
+/// The lines of a hand-in, each with its mark, and under it what is to be said of it.
+fn marked_lines(marked: &Marked, hints: Hints, style: Style, out: &mut String) {
+    let width = marked.lines.iter().map(|line| line.name.len()).max().unwrap_or(0);
+    for line in &marked.lines {
+        let first = format!("  {} {:width$}  ", line.mark.sign(), line.name);
+        *out += &(wrap(&first, &shortened(&line.statement), 4 + width + 2, style.width) + "\n");
+        let mut notes = Vec::new();
+        match line.mark {
+            Mark::Right if line.because == "follows from the problem" => {}
+            _ => notes.push(format!("{}: {}", line.mark.word(), line.because)),
+        }
+        if let (Some(at), Some(credit)) = (line.result, line.credit) {
+            let result = &marked.results[at];
+            let how =
+                if result.reached == Reached::Yes { String::new() } else { format!(", {}", result.reached.word()) };
+            notes.push(format!("result {}{how}: {} of {}", called(result), number(credit), number(result.points)));
+        }
+        if line.mark == Mark::Wrong {
+            notes.push(hint(marked, line, hints));
+        }
+        let indent = " ".repeat(4 + width + 2);
+        for note in notes {
+            *out += &(wrap(&indent, &note, 4 + width + 2, style.width) + "\n");
+        }
+    }
 }

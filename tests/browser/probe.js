@@ -66,8 +66,19 @@
       });
     });
   });
-  window.addEventListener("load", () => {
+  // What the checker of accessibility says of a frame, where its script was put into the page.
+  const ask = async (frame) => {
+    const axe = frame.contentWindow.axe;
+    if (!axe) return;
+    const { violations } = await axe.run(frame.contentDocument, { iframes: false, resultTypes: ["violations"] });
+    violations.forEach((rule) => {
+      const where = rule.nodes.slice(0, 3).map((node) => node.target + " " + node.html.slice(0, 120));
+      found.push(`${frame.title}: ${rule.id}, ${rule.nodes.length} times: ${rule.help}: ${where.join(" | ")}`);
+    });
+  };
+  window.addEventListener("load", async () => {
     frames.forEach(look);
+    for (const frame of frames) await ask(frame);
     document.getElementById("found").textContent = [frames.length + " frames", ...found].join("\n");
     frames.forEach((frame) => frame.remove());
   });

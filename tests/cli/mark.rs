@@ -192,6 +192,12 @@ fn hints_say_no_more_than_their_level() {
         "{}",
         said("0")
     );
+    let text = |level: &str| desk.onshell(&["mark", "class/a.md", "--claims", "p.json", "--hints", level]).out;
+    // The lowest level does not say where.
+    let lowest = text("0");
+    assert!(lowest.contains("something in this hand-in is wrong") && lowest.contains("1 of 2 points"), "{lowest}");
+    assert!(!lowest.contains('✗') && !lowest.contains("line 5"), "{lowest}");
+    assert!(text("1").contains("✗ line 5"), "{}", text("1"));
     assert!(said("1").contains("look at this line") && !said("1").contains("factor"), "{}", said("1"));
     assert!(said("2").contains("a factor or a number is wrong") && !said("2").contains("; "), "{}", said("2"));
     assert!(said("3").contains("; "), "{}", said("3"));
@@ -234,7 +240,7 @@ fn pages_are_written_and_hide_what_a_hint_may_not_say() {
     assert!(!page.contains("✗"), "{page}");
     desk.onshell(&["mark", "class", "--claims", "p.json", "--out", "pages", "--hints", "3"]);
     let page = desk.read("pages/a.html");
-    assert!(page.contains("✗ wrong") && page.contains("The corrected line"), "{page}");
+    assert!(page.contains("✗ wrong") && page.contains("The corrected equation"), "{page}");
 }
 
 #[test]

@@ -74,22 +74,26 @@ pub(super) fn up_to_initial_values(
             return None;
         }
         let difference = expanded(checker, before, pair[0].clone().minus(pair[1].clone()));
-        is_about_motion(checker, &difference).then(|| {
+        about_motion(checker, &difference).map(|order| {
             let span = difference.span;
-            let rate = Expr::new(Node::TimeDerivative(1, Box::new(difference)), span);
+            let rate = Expr::new(Node::TimeDerivative(order, Box::new(difference)), span);
             stating(vec![rate, Expr::integer(0, span)])
         })
     };
     statement.members.windows(2).map(|pair| (stating(pair.to_vec()), rate(pair))).collect()
 }
 
-/// Whether a formula has coordinates and velocities, constants, and nothing else.
-fn is_about_motion(checker: &Checker<'_>, formula: &Expr) -> bool {
+/// Whether a formula has coordinates, velocities and constants, and nothing else: the order of its rate that vanishes if
+/// initial values alone decide on it. Of several velocities it is 1, as for a momentum, and of several coordinates 2, as for
+/// a center of mass. A single one of these would be given a value.
+fn about_motion(checker: &Checker<'_>, formula: &Expr) -> Option<u8> {
     let (mut place, mut velocity) = (false, false);
+    let mut moving: Vec<SymbolId> = Vec::new();
     let is_known = formula.symbols().into_iter().all(|(id, dots)| match checker.model.meaning(id) {
         Some(Meaning::Coordinate(_) | Meaning::Varying(_)) => {
             place |= dots == 0 || formula_has_undotted(formula, id);
             velocity |= dots == 1;
+            moving.push(id);
             dots <= 1
         }
         Some(Meaning::Constant(_)) => dots == 0,
@@ -99,7 +103,14 @@ fn is_about_motion(checker: &Checker<'_>, formula: &Expr) -> bool {
         }
         _ => false,
     });
-    is_known && place && velocity
+    moving.dedup();
+    match (place, velocity) {
+        _ if !is_known => None,
+        (true, true) => Some(1),
+        (false, true) if moving.len() > 1 => Some(1),
+        (true, false) if moving.len() > 1 => Some(2),
+        _ => None,
+    }
 }
 
 fn formula_has_undotted(formula: &Expr, id: SymbolId) -> bool {

@@ -146,7 +146,7 @@ impl Goal {
             if let Some(id) = first.as_plain_symbol()
                 && matches!(model.meaning(id), Some(Meaning::Defined(_)))
             {
-                free(&mut model, id);
+                free(&mut model, id, if is_positive(checker, last) { Range::Positive } else { Range::Any });
             }
             links.push(checker.link(first, Relation::Equal, last).ok()?);
             // What stands between them is a way to the result.
@@ -344,9 +344,15 @@ fn is_about_its_rates(checker: &Checker<'_>, link: &Link, wanted: &Link) -> bool
     !rate_of_formula(wanted) || rate_of_formula(link)
 }
 
-fn free(model: &mut Model, id: SymbolId) {
+fn free(model: &mut Model, id: SymbolId, range: Range) {
     model.mean(id, Meaning::Varying(model.varying.len()));
-    model.varying.push(Variable::number(id, Range::Any));
+    model.varying.push(Variable::number(id, range));
+}
+
+/// Whether a formula is positive at all states of the problem: then its square says as much.
+fn is_positive(checker: &Checker<'_>, formula: &Expr) -> bool {
+    let link = checker.link(formula, Relation::Greater, &Expr::integer(0, formula.span));
+    link.is_ok_and(|link| numbers::holds(checker, &checker.model, &link, &[]) == Some(true))
 }
 
 /// The equalities that a reading states: each link, and the first member with the last.

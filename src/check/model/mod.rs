@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use crate::formula::symbols::{Components, Name};
 use crate::formula::{Expr, SymbolId, Symbols};
-use crate::latex::Macros;
+use crate::latex::{Macros, typeset};
 use crate::mechanics::System;
 use crate::notes::claims::Range;
 use crate::source::Span;
@@ -198,6 +198,17 @@ impl Model {
                 Some(Meaning::Rigid(at)) => self.rigid[*at].about.is_some_and(|about| symbols.contains(&about)),
                 _ => self.symbols.entry(id).members.iter().any(|member| self.symbol_depends_on(*member, symbols)),
             }
+    }
+
+    /// The names that formulas define, each as an equation in LaTeX.
+    pub fn definitions(&self) -> Vec<String> {
+        let formula = |id| match self.meaning(id) {
+            Some(Meaning::Defined(formula)) => Some(formula),
+            _ => None,
+        };
+        let written = self.symbols.iter().filter(|(_, entry)| !entry.hidden && entry.slots.is_empty());
+        let pairs = written.filter_map(|(id, entry)| Some((entry, formula(id)?)));
+        pairs.map(|(entry, formula)| format!("{} = {}", entry.name, typeset(formula, &self.symbols))).collect()
     }
 
     /// Gives a symbol its defining formula.

@@ -156,7 +156,8 @@ fn weighed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
             }
         }
         let document = document(run, notes, (equations, sentences, checker.model.inferred.clone()));
-        Ok(Document { claims: Some(claims.source.path.clone()), ..document })
+        let definitions = checker.model.definitions();
+        Ok(Document { claims: Some(claims.source.path.clone()), definitions, ..document })
     })
 }
 
@@ -170,7 +171,10 @@ fn document(
         equations.retain(|equation| equation.id == only);
     }
     let inferred = [inferred, taken_from_sentences(notes, &mut equations)].concat();
+    let defines = |equation: &&Equation| equation.finding.verdict == Verdict::Definition;
+    let definitions = equations.iter().filter(defines).map(|equation| equation.latex.clone()).collect();
     Document {
+        definitions,
         path: notes.source.path.clone(),
         claims: None,
         is_guessed: true,

@@ -75,6 +75,8 @@ pub struct Document {
     pub unnumbered: usize,
     /// What was inferred: how the symbols were mapped, and what was assumed.
     pub inferred: Vec<String>,
+    /// The names that formulas define, each as an equation in LaTeX, `name = formula`.
+    pub definitions: Vec<String>,
 }
 
 /// The findings on all documents of a run.

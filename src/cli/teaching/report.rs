@@ -75,17 +75,7 @@ pub(super) fn exhibits(report: &Report, registry: &Registry) -> Vec<Exhibit> {
         }
     }
     let exhibits = all.into_par_iter().filter_map(|(subject, documents)| exhibit(&subject, documents));
-    let mut exhibits: Vec<Exhibit> = exhibits.collect();
-    // Notes of the same name in two folders have a page each.
-    let mut names: Vec<String> = Vec::new();
-    for lecture in exhibits.iter_mut().filter_map(|exhibit| exhibit.lecture.as_mut()) {
-        let own = lecture.name.clone();
-        let free = (2..).map(|n| format!("{own}-{n}"));
-        let name = std::iter::once(own.clone()).chain(free).find(|name| !names.contains(name)).unwrap_or(own);
-        names.push(name.clone());
-        lecture.name = name;
-    }
-    exhibits
+    exhibits.collect()
 }
 
 fn exhibit(subject: &Subject<'_>, documents: Vec<String>) -> Option<Exhibit> {

@@ -48,13 +48,15 @@ const MOST: usize = 24;
 
 impl Beside {
     /// A printed display beside the derived equation of the same quantity; `None` if there is none, or its names are others.
-    pub fn lineup(&self, latex: &str, macros: &Macros) -> Option<Lineup> {
-        self.pairs(latex, macros).into_iter().find_map(|pair| self.lined_up(&pair))
+    /// `definitions` are equations that give names of the notes their formulas.
+    pub fn lineup(&self, latex: &str, macros: &Macros, definitions: &[String]) -> Option<Lineup> {
+        self.pairs(latex, macros, definitions).into_iter().find_map(|pair| self.lined_up(&pair))
     }
 
     fn lined_up(&self, pair: &Pair) -> Option<Lineup> {
-        let left = self.values(&pair.symbols, &pair.left)?;
-        self.values(&pair.symbols, &pair.right)?;
+        let plain = pair.defined.unfolded(&pair.left);
+        let left = self.values(&pair.symbols, &plain)?;
+        self.values(&pair.symbols, &pair.defined.unfolded(&pair.right))?;
         let derivation = &self.derivation;
         let quantities = [
             Quantity::EulerLagrange,
@@ -78,8 +80,8 @@ impl Beside {
                     names.sort();
                     names
                 };
-                if is_same && spelled(&pair.left, &pair.symbols) == spelled(&equation.left, symbols) {
-                    let rows = self.rows((&pair.right, &pair.symbols), (&equation.right, symbols))?;
+                if is_same && spelled(&plain, &pair.symbols) == spelled(&equation.left, symbols) {
+                    let rows = self.rows(pair, (&equation.right, symbols))?;
                     return Some(Lineup { left: typeset(&pair.left, &pair.symbols), rows });
                 }
             }
@@ -87,12 +89,15 @@ impl Beside {
         None
     }
 
-    fn rows(&self, printed: (&Expr, &Symbols), derived: (&Expr, &Symbols)) -> Option<Vec<Row>> {
-        let valued = |(formula, symbols): (&Expr, &Symbols)| -> Option<Vec<Valued>> {
-            let all = terms(formula).into_iter();
-            all.map(|expr| Some(Valued { values: self.values(symbols, &expr)?, expr })).collect()
+    fn rows(&self, pair: &Pair, derived: (&Expr, &Symbols)) -> Option<Vec<Row>> {
+        let printed = (&pair.right, &pair.symbols);
+        // A printed term keeps its names; its values are those of what they stand for.
+        let of_printed = |expr: &Expr| self.values(printed.1, &pair.defined.unfolded(expr));
+        let valued = |formula: &Expr, values: &dyn Fn(&Expr) -> Option<Vec<f64>>| -> Option<Vec<Valued>> {
+            terms(formula).into_iter().map(|expr| Some(Valued { values: values(&expr)?, expr })).collect()
         };
-        let (mut left, mut right) = (valued(printed)?, valued(derived)?);
+        let mut left = valued(printed.0, &of_printed)?;
+        let mut right = valued(derived.0, &|expr| self.values(derived.1, expr))?;
         let spelled = |term: &Valued, symbols: &Symbols| typeset(&term.expr, symbols);
         let mut rows: Vec<Row> = Vec::new();
         loop {
@@ -114,7 +119,7 @@ impl Beside {
             // A term that differs by a factor only stays whole.
             let is_multiple =
                 |term: &Valued, others: &[Valued]| others.iter().any(|other| factor(term, other).is_some());
-            let opened = open(&mut left, |term| !is_multiple(term, &right), |expr| self.values(printed.1, expr))
+            let opened = open(&mut left, |term| !is_multiple(term, &right), of_printed)
                 || open(&mut right, |term| !is_multiple(term, &left), |expr| self.values(derived.1, expr));
             if !opened {
                 break;

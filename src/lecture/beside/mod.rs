@@ -1,9 +1,11 @@
 //! Printed equations beside the derived ones.
 //!
 //! A printed equation is read with the names of the derivation, and valued at states on shell, as the lines of a lecture
-//! are. So its terms can be lined up with the derived ones ([`Lineup`]), and its two sides drawn ([`Sides`]). What
-//! cannot be read so has neither. No verdict depends on it: it only explains.
+//! are. Names that the notes define stand for their formulas. So its terms can be lined up with the derived ones
+//! ([`Lineup`]), and its two sides drawn ([`Sides`]). What cannot be read so has neither. No verdict depends on it: it
+//! only explains.
 
+mod defined;
 mod lineup;
 mod sides;
 mod terms;
@@ -18,6 +20,7 @@ use crate::derive::Derivation;
 use crate::formula::{Expr, Relation, Symbols};
 use crate::latex::{Macros, read_display};
 use crate::mechanics::System;
+use defined::Defined;
 
 /// A system with the states at which printed equations are valued.
 pub struct Beside {
@@ -31,6 +34,7 @@ struct Pair {
     left: Expr,
     right: Expr,
     symbols: Symbols,
+    defined: Defined,
 }
 
 impl Beside {
@@ -44,8 +48,9 @@ impl Beside {
     }
 
     /// The pairs of members of a display that say that they are equal.
-    fn pairs(&self, latex: &str, macros: &Macros) -> Vec<Pair> {
+    fn pairs(&self, latex: &str, macros: &Macros, definitions: &[String]) -> Vec<Pair> {
         let mut symbols = self.derivation.symbols().clone();
+        let defined = Defined::read(definitions, &mut symbols, macros);
         let reading = read_display(latex, &mut symbols, macros);
         let mut pairs = Vec::new();
         for statement in reading.statements.into_iter().flatten() {
@@ -54,7 +59,8 @@ impl Beside {
             for (at, members) in statement.members.windows(2).enumerate().filter(|(at, _)| is_equality(*at)) {
                 // A row that goes on with a chain is about the first member of the chain.
                 let left = if at == 0 { &members[0] } else { &statement.members[0] };
-                pairs.push(Pair { left: left.clone(), right: members[1].clone(), symbols: symbols.clone() });
+                let (symbols, defined) = (symbols.clone(), defined.clone());
+                pairs.push(Pair { left: left.clone(), right: members[1].clone(), symbols, defined });
             }
         }
         pairs
@@ -90,7 +96,7 @@ mod tests {
             r"L = \frac12\left(\lambda_1(\dot\theta^2+(\dot\phi\sin\theta)^2)+\lambda_3(\dot\psi+\dot\phi\cos\theta)^2\right)-MgR\cos\theta",
             r"p_\phi = \lambda_1 \dot\phi \sin^2\theta + \cos\theta \, p_\psi",
         ] {
-            let found = top.lineup(latex, &Macros::default()).unwrap_or_else(|| panic!("{latex}"));
+            let found = top.lineup(latex, &Macros::default(), &[]).unwrap_or_else(|| panic!("{latex}"));
             assert!(found.rows.len() > 1 && found.is_the_same(), "{latex}: {found:?}");
         }
     }
@@ -98,7 +104,7 @@ mod tests {
     #[test]
     fn a_term_that_differs_has_its_factor_and_one_that_lacks_is_named() {
         let top = beside("heavy_top");
-        let rows = |latex: &str| top.lineup(latex, &Macros::default()).unwrap().rows;
+        let rows = |latex: &str| top.lineup(latex, &Macros::default(), &[]).unwrap().rows;
         let found =
             rows(r"\lambda_1\ddot\theta = 2\lambda_1\dot\phi^2 \sin\theta\cos\theta + \dot\phi \sin\theta \, p_\psi");
         let factors: Vec<&str> = found.iter().filter_map(|row| row.factor.as_deref()).collect();
@@ -113,21 +119,50 @@ mod tests {
         assert!(beside_it.iter().any(|row| row.derived.is_none()), "{beside_it:?}");
         // what is about another quantity, or has other names, is not lined up
         for latex in [r"\theta = 1", r"Q = MgR", r"\lambda_1\ddot\theta = M + g"] {
-            let found = top.lineup(latex, &Macros::default());
+            let found = top.lineup(latex, &Macros::default(), &[]);
             assert!(found.is_none_or(|found| !found.is_the_same()), "{latex}");
         }
+    }
+
+    #[test]
+    fn names_that_the_notes_define_stand_for_their_formulas() {
+        let top = beside("heavy_top");
+        let definitions =
+            [r"b = k R", r"k = M g", r"\Omega = \dot\phi", r"\omega_3 = \frac{p_\psi}{\lambda_3}"].map(str::to_owned);
+        let right = r"\lambda_1\ddot\theta = \lambda_1\Omega^2 \sin\theta\cos\theta - \lambda_3 \omega_3 \Omega \sin\theta + b\sin\theta";
+        let wrong = right.replace("+ b", "- b");
+        let rows = |latex: &str| top.lineup(latex, &Macros::default(), &definitions);
+        assert!(rows(right).unwrap().is_the_same());
+        let found = rows(&wrong).unwrap();
+        let different: Vec<_> = found.rows.iter().filter(|row| row.factor.is_some()).collect();
+        assert_eq!(different.len(), 1, "{found:?}");
+        assert_eq!(different[0].factor.as_deref(), Some("-1"));
+        assert!(different[0].printed.as_deref().is_some_and(|term| term.contains('b')), "{found:?}");
+        // The twin: without the definitions the names have no value.
+        assert!(top.lineup(right, &Macros::default(), &[]).is_none());
+        let sides = |definitions: &[String]| top.sides(&wrong, &Macros::default(), definitions);
+        assert!(sides(&definitions).is_some() && sides(&[]).is_none());
+        // What a name stands for moves the sides: b is no variable of its own.
+        let numbers = [("M", 2.0), ("g", 3.0)].map(|(name, value)| (name.to_owned(), value));
+        let mass = ["b = M g".to_owned()];
+        let macros = Macros::default();
+        let found = Sides::of_counterexample("b = M", (&macros, &mass), &numbers, (6.0, 2.0)).unwrap();
+        assert!(["M", "g"].contains(&found.variable.as_str()), "{}", found.variable);
     }
 
     #[test]
     fn the_sides_are_drawn_against_what_separates_them_and_not_where_they_agree() {
         let pendulum = beside("simple_pendulum");
         // the two sides agree where θ does, as cos θ and 1 − θ²/2 do
-        let found = pendulum.sides(r"L = \frac12 m l^2 \dot\theta^2 + 2 m g l \cos\theta", &Macros::default()).unwrap();
+        let found =
+            pendulum.sides(r"L = \frac12 m l^2 \dot\theta^2 + 2 m g l \cos\theta", &Macros::default(), &[]).unwrap();
         let (at, right) = (found.at, &found.right);
         assert!((at[0].1 - at[1].1).abs() > 1e-3);
         for ((x, left), (y, right)) in found.left.iter().zip(right) {
             assert!(x == y && left.is_finite() && right.is_finite());
         }
-        assert!(pendulum.sides(r"L = \frac12 m l^2 \dot\theta^2 + m g l \cos\theta", &Macros::default()).is_none());
+        assert!(
+            pendulum.sides(r"L = \frac12 m l^2 \dot\theta^2 + m g l \cos\theta", &Macros::default(), &[]).is_none()
+        );
     }
 }

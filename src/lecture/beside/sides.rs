@@ -1,5 +1,6 @@
 //! The two sides of a wrong equation against the variable that separates them most.
 
+use super::defined::Defined;
 use super::{Beside, Pair, agree};
 use crate::formula::{Assignment, Expr, Node, Relation, Symbols, Value, evaluate};
 use crate::latex::{Macros, names, read_display, typeset};
@@ -24,14 +25,18 @@ const POINTS: u32 = 80;
 
 impl Beside {
     /// The sides of the first pair of members that differ; `None` if none do, or their names are others.
-    pub fn sides(&self, latex: &str, macros: &Macros) -> Option<Sides> {
+    /// `definitions` are equations that give names of the notes their formulas.
+    pub fn sides(&self, latex: &str, macros: &Macros, definitions: &[String]) -> Option<Sides> {
+        let plain = |pair: &Pair| (pair.defined.unfolded(&pair.left), pair.defined.unfolded(&pair.right));
         let differ = |pair: &Pair| {
-            let both = self.values(&pair.symbols, &pair.left).zip(self.values(&pair.symbols, &pair.right));
+            let (left, right) = plain(pair);
+            let both = self.values(&pair.symbols, &left).zip(self.values(&pair.symbols, &right));
             both.is_some_and(|(left, right)| {
                 left.iter().zip(&right).any(|(a, b)| (a - b).abs() > 1e-6 * a.abs().max(b.abs()))
             })
         };
-        let pair = self.pairs(latex, macros).into_iter().find(differ)?;
+        let pair = self.pairs(latex, macros, definitions).into_iter().find(differ)?;
+        let (left, right) = plain(&pair);
         let base = self.samples.first()?;
         let [q, v, p] = {
             let (q, v, p) = base.numbers();
@@ -53,7 +58,7 @@ impl Beside {
             let (v, p) = rest.split_at(v.len());
             let sample = Sample::at(&self.system, base.time, [q.to_vec(), v.to_vec(), p.to_vec()]).ok()?;
             let side = |formula: &Expr| sample.value_in(&self.derivation, &pair.symbols, formula);
-            Some((side(&pair.left)?, side(&pair.right)?))
+            Some((side(&left)?, side(&right)?))
         };
         let curves = (0..all.len()).filter_map(|i| curve(names(i), all[i], |x| value(i, x)));
         widest(curves)
@@ -65,11 +70,12 @@ impl Sides {
     /// sides. `None` if the relation does not have those values, or contains rates.
     pub fn of_counterexample(
         latex: &str,
-        macros: &Macros,
+        (macros, definitions): (&Macros, &[String]),
         state: &[(String, f64)],
         sides: (f64, f64),
     ) -> Option<Sides> {
         let mut symbols = Symbols::open();
+        let defined = Defined::read(definitions, &mut symbols, macros);
         let reading = read_display(latex, &mut symbols, macros);
         let places: Option<Vec<_>> = state
             .iter()
@@ -93,8 +99,13 @@ impl Sides {
             let equal =
                 |at: usize| statement.relations.get(at).is_some_and(|(relation, _)| *relation == Relation::Equal);
             for (at, members) in statement.members.windows(2).enumerate().filter(|(at, _)| equal(*at)) {
-                for left in [&members[0], &statement.members[0]] {
-                    let both = |at: &[f64]| Some((valued(left, at)?, valued(&members[1], at)?));
+                let plain = |expr: &Expr| defined.unfolded(expr);
+                let lefts = [&members[0], &statement.members[0]];
+                // A name that a formula defines moves with what it stands for, where that is in the state.
+                let unfolded = lefts.map(|left| (plain(left), plain(&members[1])));
+                let printed = lefts.map(|left| (left.clone(), members[1].clone()));
+                for (left, right) in unfolded.iter().chain(&printed) {
+                    let both = |at: &[f64]| Some((valued(left, at)?, valued(right, at)?));
                     let is_it = both(&base).is_some_and(|(a, b)| agree(a, sides.0) && agree(b, sides.1));
                     let moves = members.iter().any(|member| matches!(&member.node, Node::TimeDerivative(..)));
                     if !is_it || moves || at > 50 {

@@ -2,8 +2,10 @@
 //!
 //! Declared letters come first. If the hand-in then has a false line or lacks a result, and names of its own, the ways to
 //! take them for unused names of the problem, or for rates of its coordinates, are tried, the likeliest first. The best one
-//! counts, if it makes more true than none. A way is likely if a letter differs only in its case or its subscript, if
+//! counts, if it makes more true than none. First come the ways by which a line is one of the problem ([`matching`]). A way is likely if a letter differs only in its case or its subscript, if
 //! angles stand for angles, and if v and a are a velocity and an acceleration.
+
+mod matching;
 
 use std::collections::HashMap;
 
@@ -17,13 +19,13 @@ use crate::check::document::setup::{Run, define_macros};
 use crate::check::sample::context::Options;
 use crate::check::unaided::names::{Usage, names_of};
 
-use super::judge::judge;
-use super::judged::Judged;
-use super::marked::Mark;
-use super::names::{Letters, Names, Role, StandsFor};
-use super::problem::{self, Problem};
-use super::world::World;
-use super::written::{Written, written};
+use crate::check::mark::judge::judge;
+use crate::check::mark::judged::Judged;
+use crate::check::mark::marked::Mark;
+use crate::check::mark::names::{Letters, Names, Role, StandsFor};
+use crate::check::mark::problem::{self, Problem};
+use crate::check::mark::world::World;
+use crate::check::mark::written::{Written, written};
 
 /// The most ways that are tried.
 const WAYS: usize = 60;
@@ -35,7 +37,11 @@ const POINTS: usize = 8;
 ///
 /// # Errors
 /// When the problem cannot be applied to the hand-in.
-pub(super) fn best(run: &Run<'_>, problem: &Problem, notes: &Notes) -> Result<(Judged, Vec<(String, String)>)> {
+pub(in crate::check::mark) fn best(
+    run: &Run<'_>,
+    problem: &Problem,
+    notes: &Notes,
+) -> Result<(Judged, Vec<(String, String)>)> {
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
     let lines = written(notes, &macros);
@@ -53,7 +59,7 @@ pub(super) fn best(run: &Run<'_>, problem: &Problem, notes: &Notes) -> Result<(J
     };
     let quick = Run { options: Options { points: POINTS, explain: false, ..run.options }, ..*run };
     let mut best = declared.clone();
-    let ways = ways(&used, known, &declared);
+    let ways = all_ways(problem, (&lines, &macros), &used, &declared);
     if !ways.is_empty() {
         let own = tried(&declared, &quick, false)?;
         let mut score = own.score();
@@ -125,28 +131,58 @@ fn declared(problem: &Problem, used: &[Usage]) -> Letters {
     table
 }
 
+/// All ways that are tried: those in which a line is one of the problem, each by itself and with the likeliest other
+/// letters, and then the others.
+fn all_ways(
+    problem: &Problem,
+    (lines, macros): (&[Written], &Macros),
+    used: &[Usage],
+    declared: &Letters,
+) -> Vec<Letters> {
+    let known = &problem.names;
+    let is_own = |name: &Name| used.iter().any(|usage| usage.name == *name && is_own(usage, known, declared));
+    let is_free = |name: &Name| used.iter().all(|usage| usage.name != *name);
+    let mut all: Vec<Letters> = Vec::new();
+    for table in matching::tables(problem, (lines, macros), is_own, is_free) {
+        let table: Letters = declared.clone().into_iter().chain(table).collect();
+        let others = ways(used, known, &table);
+        all.push(table);
+        all.extend(others.into_iter().take(WAYS_BESIDE));
+    }
+    let others = ways(used, known, declared);
+    let new: Vec<Letters> = others.into_iter().filter(|way| !all.contains(way)).collect();
+    all.extend(new);
+    all.truncate(WAYS);
+    all
+}
+
+/// The most ways that are tried beside a line that is one of the problem.
+const WAYS_BESIDE: usize = 8;
+
+/// Whether a name is one that only the hand-in has.
+fn is_own(usage: &Usage, known: &Names, declared: &Letters) -> bool {
+    let name = &usage.name;
+    // `d` is a name where it is the whole left side.
+    let is_free = name.base == "d" && usage.introduced.is_some();
+    // `i` is the imaginary unit only where e has a power of it; a student may write it for a current.
+    let is_current = name.base == "i" && (usage.introduced.is_some() || usage.moves);
+    let reserved = !is_free
+        && !is_current
+        && ["t", "e", "d", "i", "\\pi", "\\mathrm{d}"].contains(&name.base.as_str())
+        && name.subscript.is_empty();
+    let is_momentum = name.base == "p" && !name.subscript.is_empty();
+    (known.symbols.find(name).is_none() || is_current && known.names.iter().all(|(other, ..)| other != name))
+        && !reserved
+        && !is_momentum
+        && !declared.contains_key(name)
+        && name.primes == 0
+        && !name.base.starts_with(['(', '['])
+}
+
 /// The ways to take the names that only the hand-in has for names that only the problem has, the most likely first.
 fn ways(used: &[Usage], known: &Names, declared: &Letters) -> Vec<Letters> {
-    let is_own = |usage: &&Usage| {
-        let name = &usage.name;
-        // `d` is a name where it is the whole left side.
-        let is_free = name.base == "d" && usage.introduced.is_some();
-        // `i` is the imaginary unit only where e has a power of it; a student may write it for a current.
-        let is_current = name.base == "i" && (usage.introduced.is_some() || usage.moves);
-        let reserved = !is_free
-            && !is_current
-            && ["t", "e", "d", "i", "\\pi", "\\mathrm{d}"].contains(&name.base.as_str())
-            && name.subscript.is_empty();
-        let is_momentum = name.base == "p" && !name.subscript.is_empty();
-        (known.symbols.find(name).is_none() || is_current && known.names.iter().all(|(other, ..)| other != name))
-            && !reserved
-            && !is_momentum
-            && !declared.contains_key(name)
-            && name.primes == 0
-            && !name.base.starts_with(['(', '['])
-    };
     let mut found: Vec<(u32, Letters)> = vec![(0, Letters::new())];
-    for usage in used.iter().filter(is_own) {
+    for usage in used.iter().filter(|usage| is_own(usage, known, declared)) {
         let options = options(usage, used, known, declared);
         let own = if usage.introduced.is_some() { OWN_WITH_A_LINE } else { OWN };
         let mut next: Vec<(u32, Letters)> = Vec::new();
