@@ -44,7 +44,7 @@ codes! {
     Ambiguous = "ambiguous",
     /// A name is used that nothing declares or defines.
     ///
-    /// For example, `F = m a` in a document whose claims file declares m and a only.
+    /// For example, `F + R = m a` in a document whose claims file declares m, a and F only.
     /// Declare the name under `constants`, `varies with time` or `coordinates`, or define it in the notes.
     UndeclaredName = "undeclared-name",
     /// The text is not well-formed LaTeX mathematics.
@@ -53,12 +53,12 @@ codes! {
     Syntax = "syntax",
     /// A LaTeX command is unknown, or a macro cannot be expanded.
     ///
-    /// For example, `\half m v^2` where nothing defines `\half`, or a macro that calls itself.
+    /// For example, `\myhalf m v^2` where nothing defines `\myhalf`, or a macro that calls itself.
     /// Define the command in the notes with `\newcommand`, or under `macros` in the claims file.
     UnknownCommand = "unknown-command",
     /// The notation is well-formed, and onshell does not support it.
     ///
-    /// For example, `\begin{cases}`. State the equation in another way, or leave it out with `skip`.
+    /// For example, `F \propto r^{-2}` in a numbered display. State the equation in another way, or leave it out with `skip`.
     NotSupported = "not-supported",
     /// Two sides or terms have different shapes: a number, a vector and a matrix cannot be equal or be added.
     ///
@@ -75,7 +75,7 @@ codes! {
     UnitMismatch = "unit-mismatch",
     /// The text is not a unit of the SI.
     ///
-    /// For example, `Nm` for `N m`, or `m/s/s`, which is ambiguous. Write factors with a space between them and one
+    /// For example, `Nm` for `N m`. Write factors with a space between them and one
     /// slash at most: `kg m^2/s^2`.
     InvalidUnit = "invalid-unit",
     /// The claims file says something that cannot be used.
@@ -121,7 +121,7 @@ codes! {
     InequalityFails = "inequality-fails",
     /// Exact arithmetic shows that the two sides differ, although floating-point numbers agree.
     ///
-    /// For example, `x + 10^{-20} = x` agrees to 16 digits. The equation is evaluated modulo a prime, where nothing is
+    /// For example, `(1 + 10^{-16}) x = x` agrees to 16 digits. The equation is evaluated modulo a prime, where nothing is
     /// rounded. If the equation is an approximation, write `\approx` and name what is small in the claims file.
     DiffersAsIdentity = "differs-as-identity",
     /// A claim about families holds for some numbers of members, and fails for another one, which is given.

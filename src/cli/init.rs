@@ -39,7 +39,9 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
         for job in notes_of(path, arguments.overwrite).unwrap_or_else(|error| vec![Err(error)]) {
             let made = job.and_then(|job| match job {
                 Named::Notes(notes) => write(&notes, arguments.overwrite, registry),
-                Named::Claimed(claims) => Ok(format!("{}: left as it is", claims.display())),
+                Named::Claimed(claims) => {
+                    Ok(format!("{}: this is a claims file already; it was not changed", claims.display()))
+                }
             });
             match made {
                 Ok(line) => {

@@ -72,7 +72,7 @@ fn steady(writer: &mut Writer<'_>, found: &Precession) {
     let solved = writer.line(&roots, &[&equation], &[]);
     writer.claim("equations", &solved, json!({ "solves": equation, "for": omega }));
     let [fast, slow] = found.far.each_ref().map(|rate| writer.latex(rate));
-    writer.say("Of a top that spins fast they become simple.");
+    writer.say("For a fast top they simplify.");
     let latex = format!("{omega}_{{+}} \\approx {fast} , \\quad {omega}_{{-}} \\approx {slow}");
     let limit = writer.line(&latex, &[&solved], &[]);
     writer.claim("equations", &limit, json!({ "limit": format!("{spin} \\to \\infty") }));

@@ -62,7 +62,7 @@ pub(super) fn document(document: &Document, prefix: &str, derived: Option<&Besid
         }
         article { @for block in &blocks { (block) } }
         @if let Some(graph) = graph::graph(document, prefix) {
-            section { h2 { "Which equation rests on which" } (graph) }
+            section { h2 { "Which equation depends on which" } (graph) }
         }
         (after)
         @if !document.sentences.is_empty() {

@@ -1,4 +1,4 @@
-//! The graph of a document as SVG: which equation rests on which. Each node leads to its equation.
+//! The graph of a document as SVG: which equation depends on which. Each node leads to its equation.
 
 use std::collections::BTreeMap;
 
@@ -45,7 +45,7 @@ pub(super) fn graph(document: &Document, prefix: &str) -> Option<Markup> {
             at_place.insert(*at, ((width - own) / 2 + right * (NODE.0 + GAP.0), 4 + down * (NODE.1 + GAP.1)));
         }
     }
-    let label = format!("Which equation rests on which: {} equations, {} links", shown.len(), edges.len());
+    let label = format!("Which equation depends on which: {} equations, {} links", shown.len(), edges.len());
     let path = |(from, to): &(usize, usize)| {
         let (a, b) = (at_place.get(from)?, at_place.get(to)?);
         let (x, y, u, v) = (a.0 + NODE.0 / 2, a.1 + NODE.1, b.0 + NODE.0 / 2, b.1);

@@ -40,7 +40,7 @@ pub fn kind(lost: Lost) -> &'static str {
         Lost::Power => "a power is wrong",
         Lost::Function => "a function is wrong, such as a sine for a cosine",
         Lost::Symbol => "a symbol stands for another one",
-        Lost::Dot => "a dot is lost or stands there too often",
+        Lost::Dot => "a dot is missing, or there is one too many",
         Lost::Term => "a term is lost, or does not belong there",
     }
 }

@@ -9,7 +9,7 @@ use crate::check::Verdict;
 /// The JSON Schema, draft 2020-12. New fields may come at any time, so other fields are allowed.
 #[must_use]
 pub fn report() -> Value {
-    let number = json!({ "description": "Infinities and NaN are words.", "type": ["number", "string"] });
+    let number = json!({ "description": "Infinity and NaN are written as strings.", "type": ["number", "string"] });
     let maybe = |schema: Value| json!({ "anyOf": [schema, { "type": "null" }] });
     let count = json!({ "type": "integer", "minimum": 0 });
     let place = json!({

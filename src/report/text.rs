@@ -167,12 +167,15 @@ fn unaided_counts(items: &[&Equation]) -> Vec<String> {
     .collect()
 }
 
+/// How a display without a number is checked.
+const TO_NAME: &str = "number it with \\tag, or name it under \"equations\" by a part of its LaTeX in backticks";
+
 /// The displays that were not checked.
 fn unnumbered(document: &Document) -> Option<String> {
     match document.unnumbered {
         0 => None,
-        1 => Some("1 display without a number was not checked".to_owned()),
-        n => Some(format!("{n} displays without a number were not checked")),
+        1 => Some(format!("1 display without a number was not checked; {TO_NAME}")),
+        n => Some(format!("{n} displays without a number were not checked; {TO_NAME}")),
     }
 }
 

@@ -126,7 +126,7 @@ fn a_definition_that_nothing_stands_on_is_no_pass() {
     // In its square the sign of s goes unnoticed, and the verdict says so; a factor in s² = s·s is not noticed at all.
     let notes = numbered(&["s = a + b", "s^2 = a^2 + 2ab + b^2"]);
     let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
-    assert!(found.equations[0].finding.message.contains("except of its sign"), "{:?}", found.equations[0]);
+    assert!(found.equations[0].finding.message.contains("except for its sign"), "{:?}", found.equations[0]);
     let notes = numbered(&["s = a + b", "s s = s^2"]);
     let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
     assert_eq!(found.equations[0].finding.verdict, Undecided);
@@ -323,5 +323,5 @@ fn what_one_part_of_a_display_leaves_open_is_said_of_the_display() {
     assert!(open.contains("(3 parts)") && open.contains(says), "{open}");
     // The twin: alone it says so itself.
     let alone = line(r"s = a + b , \quad p = ab");
-    assert!(alone.contains("except of its sign") && !alone.contains(says), "{alone}");
+    assert!(alone.contains("except for its sign") && !alone.contains(says), "{alone}");
 }

@@ -132,7 +132,7 @@ fn parts_of_a_project_are_read_with_it_and_named_in_findings() {
     assert!(run.err.contains("the file gone is not there") && run.out.contains("3 displays"), "{}{}", run.out, run.err);
     desk.write("ch/two.tex", "\\input{main}\n");
     let run = desk.onshell(&["check", "main.tex"]);
-    assert!(run.code == 2 && run.err.contains("puts itself in") && run.err.contains("ch/two.tex:1:1"), "{}", run.err);
+    assert!(run.code == 2 && run.err.contains("includes itself") && run.err.contains("ch/two.tex:1:1"), "{}", run.err);
 }
 
 #[test]

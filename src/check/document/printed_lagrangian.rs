@@ -58,7 +58,7 @@ pub(crate) fn make((claims, notes): (&Claims, &Notes), readings: &[Reading], mod
     if let Some(free) = feeds.iter().find(|id| matches!(meaning(**id), Some(Meaning::Varying(_)))) {
         let (free, latex) = (name(*free), model.name(*free));
         return Err(error(format!("{shown} contains {free}, which varies freely")).help(format!(
-            "declare {free} under \"coordinates\", or as a \"function\" of the time: \"{latex}\": \"of t\""
+            "declare {free} under \"coordinates\", or write \"functions\": {{ \"{latex}\": \"of t\" }}"
         )));
     }
     if let Some(other) = feeds.iter().find(|id| matches!(meaning(**id), Some(Meaning::System(_)))) {

@@ -129,7 +129,7 @@ pub(crate) fn assign<'c>(claims: &'c Claims, notes: &Notes) -> Result<Vec<Option
     let mut assigned: Vec<Option<&Claim>> = vec![None; notes.equations.len()];
     let mut parts = Vec::new();
     for (address, claim) in &claims.equations {
-        unsupported(claims, address, claim)?;
+        whole_only(claims, address, claim)?;
         if address.single().is_some_and(is_partial) {
             parts.extend(address.resolve(notes, &claims.source)?);
             continue;
@@ -158,19 +158,8 @@ pub(crate) fn assign<'c>(claims: &'c Claims, notes: &Notes) -> Result<Vec<Option
 /// The claim that an equation holds.
 static NOTHING_MORE: LazyLock<Claim> = LazyLock::new(Claim::default);
 
-/// Rejects keys that the format has and that are not supported, so that none is ignored silently.
-pub(crate) fn unsupported(claims: &Claims, address: &Address, claim: &Claim) -> Result<()> {
-    let spans = [
-        ("up to a constant", claim.up_to_a_constant),
-        ("times", claim.times.as_ref().map(|s| s.span)),
-        ("divided by", claim.divided_by.as_ref().map(|s| s.span)),
-        ("defines", claim.defines.first().map(|s| s.span)),
-        ("equation of motion of", claim.equation_of_motion_of.as_ref().map(|s| s.span)),
-        ("from", claim.from.first().map(|a| a.span)),
-    ];
-    if let Some((key, span)) = spans.into_iter().find_map(|(key, span)| Some((key, span?))) {
-        return Err(Error::at(&claims.source, span, format!("\"{key}\" is not supported")));
-    }
+/// Rejects claims about a part of an equation that only a whole equation can have.
+pub(crate) fn whole_only(claims: &Claims, address: &Address, claim: &Claim) -> Result<()> {
     let is_in_a_list = address.items.len() > 1
         && address.items.iter().any(|item| matches!(item, Item::One(point) if is_partial(point)));
     if is_in_a_list {

@@ -20,7 +20,7 @@ impl Checker<'_> {
             Solved::Equation(address) => Some(address),
             Solved::EquationsOfMotion(_) => None,
         });
-        let addresses = claim.from.iter().chain(solved).chain(&claim.continuum_limit_of);
+        let addresses = solved.into_iter().chain(&claim.continuum_limit_of);
         let assumed = claim.assume.iter().chain(&claim.throughout).map(|text| text.value.as_str());
         let conditions =
             self.claims.conditions.iter().filter(|(name, _)| assumed.clone().any(|text| text == name.value));

@@ -150,7 +150,7 @@ pub fn check(
             && !run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
     });
     let (code, except) = match surviving.len() < signed {
-        true => (Code::DefinitionUpToSign, " except of its sign"),
+        true => (Code::DefinitionUpToSign, " except for its sign"),
         false => (Code::Definition, ""),
     };
     // So is the size of a normal coordinate: linear equations of motion are the same for its double.
@@ -159,7 +159,7 @@ pub fn check(
         surviving.retain(|(mutant, _)| !is_a_multiple(mutant, formula, &states.states));
     }
     let (code, except) = match surviving.len() < sized {
-        true => (Code::DefinitionUpToSign, " except of its factor"),
+        true => (Code::DefinitionUpToSign, " except for its factor"),
         false => (code, except),
     };
     match surviving.first() {

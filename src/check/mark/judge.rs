@@ -178,7 +178,7 @@ impl Judge<'_, '_> {
             && !(self.details && self.is_slip(at)?)
         {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
-            line.because = format!("says what {} is, of which the problem says nothing", implied.name(self.quiet));
+            line.because = format!("defines {}, which the problem does not have", implied.name(self.quiet));
             self.implied.push(implied);
             return Ok(());
         }
@@ -224,7 +224,7 @@ impl Judge<'_, '_> {
             }
             None if self.details && self.leaves_open(at, reading)? => {
                 (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
-                line.because = format!("uses {}, of which nothing says what it is", self.unknown(reading).join(", "));
+                line.because = format!("uses {}, which is defined nowhere", self.unknown(reading).join(", "));
             }
             None => {
                 line.mark = Mark::Wrong;

@@ -181,7 +181,7 @@ fn finding_as_it_counts(finding: Finding) -> Finding {
             Code::Assumed,
             Verdict::Assumed,
             finding.span,
-            "this does not follow from the other displays, and no likely slip explains that; it is taken for granted",
+            "this does not follow from the other displays; it is taken for granted, and was not checked",
         ),
         // The condition is said; nobody declared ranges that contradict it.
         Verdict::Domain if finding.code == Code::OneBranch => Finding { verdict: Verdict::Verified, ..finding },

@@ -28,26 +28,14 @@ pub struct Claim {
     pub limit: Option<Spanned<String>>,
     /// `dropping`: the terms that the printed equation leaves out.
     pub dropping: Option<Spanned<String>>,
-    /// `up to a constant`: the place of the key.
-    pub up_to_a_constant: Option<Span>,
-    /// `times`
-    pub times: Option<Spanned<String>>,
-    /// `divided by`
-    pub divided_by: Option<Spanned<String>>,
     /// `erratum`: corrections.
     pub errata: Vec<Erratum>,
     /// `expect` and `because`
     pub expect: Option<Expect>,
     /// `skip`: why there is no claim.
     pub skip: Option<Spanned<String>>,
-    /// `defines`: the symbols that the equation defines.
-    pub defines: Vec<Spanned<String>>,
     /// `generates`: the consequences of the printed function.
     pub generates: Option<Spanned<Generates>>,
-    /// `equation of motion of`: a coordinate.
-    pub equation_of_motion_of: Option<Spanned<String>>,
-    /// `from`: other equations that it must follow from, as they are printed.
-    pub from: Vec<Address>,
     /// `for each`: the index of a family that the printed equation leaves out.
     pub for_each: Option<Spanned<String>>,
     /// `small`: the symbols that scale with one small number.
@@ -158,17 +146,11 @@ pub(super) const KEYS: &[&str] = &[
     "for",
     "limit",
     "dropping",
-    "up to a constant",
-    "times",
-    "divided by",
     "erratum",
     "expect",
     "because",
     "skip",
-    "defines",
     "generates",
-    "equation of motion of",
-    "from",
     "for each",
     "small",
     "order",
@@ -180,6 +162,12 @@ pub(super) const KEYS: &[&str] = &[
 
 /// Keys that are planned and not supported yet.
 pub(super) const LATER: &[&str] = &[
+    "up to a constant",
+    "times",
+    "divided by",
+    "defines",
+    "equation of motion of",
+    "from",
     "starting at",
     "up to a term without",
     "up to a factor without",
@@ -221,16 +209,10 @@ pub(super) fn shared(fields: &Fields<'_>, source: &Source) -> Result<Claim, Faul
         solves: None,
         limit: limit(fields)?,
         dropping: fields.text("dropping")?,
-        up_to_a_constant: fields.on("up to a constant")?,
-        times: fields.text("times")?,
-        divided_by: fields.text("divided by")?,
         errata: errata(fields)?,
         expect: expect(fields)?,
         skip: fields.text("skip")?,
-        defines: fields.texts("defines")?,
         generates: generates.as_ref().map(generating).transpose()?,
-        equation_of_motion_of: fields.text("equation of motion of")?,
-        from: fields.texts("from")?.iter().map(|from| Address::parse(from, source)).collect::<Result<_, _>>()?,
         for_each: fields.text("for each")?,
         order: order(fields)?,
         small: small(fields, source)?,

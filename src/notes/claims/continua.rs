@@ -152,7 +152,7 @@ fn solid(json: &Json, dimension: u8, per: &str, source: &Source) -> Result<Solid
     };
     if let Some((_, (second, _))) = kinds.next() {
         let message = format!("\"{}\" and \"{}\" cannot both be given: a body has one shape", key.value, second.value);
-        return Err(Fault::claims(second.span, message).help("give each body its own braces"));
+        return Err(Fault::claims(second.span, message).help("write one { … } for each body under \"made of\""));
     }
     if kind.dimension() != dimension {
         let fitting = SOLIDS.iter().filter(|(_, kind)| kind.dimension() == dimension);

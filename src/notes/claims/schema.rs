@@ -86,23 +86,10 @@ fn of_document(key: &str) -> Value {
 fn of_claim(key: &str) -> Value {
     match key {
         "holds" => json!({ "enum": ["always", "on shell"] }),
-        "assume" | "throughout" | "small" | "defines" | "from" | "for" => texts(),
+        "assume" | "throughout" | "small" | "for" => texts(),
         "where" => named(),
-        "expect"
-        | "because"
-        | "skip"
-        | "solves"
-        | "limit"
-        | "dropping"
-        | "times"
-        | "divided by"
-        | "generates"
-        | "equation of motion of"
-        | "for each"
-        | "continuum limit of"
-        | "same motion as"
-        | "also equals"
-        | "units" => text(),
+        "expect" | "because" | "skip" | "solves" | "limit" | "dropping" | "generates" | "for each"
+        | "continuum limit of" | "same motion as" | "also equals" | "units" => text(),
         "order" => json!({ "type": "integer", "minimum": 1 }),
         _ => json!({}),
     }

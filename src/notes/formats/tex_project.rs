@@ -115,7 +115,7 @@ impl Project {
         };
         let canonical = path.canonicalize().unwrap_or_else(|_| path.clone());
         if self.open.contains(&canonical) || self.open.len() > DEEPEST {
-            let fault = Fault::notes(place, format!("the file {name} puts itself in"));
+            let fault = Fault::notes(place, format!("the file {name} includes itself"));
             return Err(Error::fault(file, fault.help("remove this line, or the one that leads back here")));
         }
         let part = file::read_text(&path, &path.display().to_string())?;
