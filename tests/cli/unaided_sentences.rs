@@ -61,3 +61,19 @@ fn an_environment_between_dollars_defines_names_as_a_display_does() {
         assert_eq!(verdicts("nested-slip", &wrong).0, ["definition", "refuted"], "{environment}");
     }
 }
+
+#[test]
+fn a_name_in_capitals_and_a_relation_that_is_not_printed_make_no_slip() {
+    let square = |right: &str| format!("$$ x = v_C + V_C + a $$\n\nThus\n\n$$ (v_C + a)^2 = {right} $$\n");
+    assert_eq!(verdicts("capitals", &square("V_C^2 + 2 a v_C + a^2")).0[1], "assumed");
+    assert_eq!(verdicts("capitals-slip", &square("v_C^2 + a v_C + a^2")).0[1], "refuted");
+    // Nothing says that b is 2 m γ, but without this the second formula does not follow.
+    let power = |right: &str| {
+        format!(
+            "$$ m\\ddot x + b\\dot x = F $$\n\n$$ \\gamma > 0 $$\n\nThus\n\n$$ P = \\frac12 b (\\omega A + c)^2 = {right} $$\n"
+        )
+    };
+    let last = |name: &str, right: &str| verdicts(name, &power(right)).0.pop();
+    assert_ne!(last("quotient", r"\gamma m (\omega A + c)^2").as_deref(), Some("refuted"));
+    assert_eq!(last("quotient-slip", r"\frac12 b \omega^2 A^2 + \frac12 b c^2").as_deref(), Some("refuted"));
+}

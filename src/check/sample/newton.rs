@@ -147,9 +147,9 @@ impl<'m> Projection<'m> {
         let moves = self.mode.on_shell && self.model.system.is_some();
         let plain = sides.iter().all(|side| self.model.is_plain(side)) && self.rules.is_empty() && !moves;
         let concerns = |slot: &Slot| {
-            let Some(symbol) = slot.symbol else { return !plain };
+            let Some(symbol) = slot.symbol.filter(|_| plain) else { return !plain };
             let highest = sides.iter().filter_map(|side| order(self.model, side, symbol)).max();
-            !plain || highest.is_some_and(|highest| slot.order <= usize::from(highest) + row.1)
+            highest.is_some_and(|highest| slot.order <= usize::from(highest) + row.1)
         };
         let mut candidates: Vec<usize> = (1..self.slots.len()).collect();
         candidates.retain(|at| !self.record.plan.iter().any(|(_, taken)| taken == at) && concerns(&self.slots[*at]));

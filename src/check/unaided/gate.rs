@@ -223,6 +223,15 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     if repair.replacement.trim().is_empty() && left_out.contains(|c: char| c.is_ascii_alphabetic()) {
         return false;
     }
+    // Authors write one voltage as v_C and as V_C.
+    if left_out.contains('_') && left_out.eq_ignore_ascii_case(&repair.replacement) {
+        return false;
+    }
+    // A quotient of several quantities that is put in is a relation that the notes do not print, and no lost factor.
+    let is_quotient = repair.replacement.contains("\\frac") || repair.replacement.contains('/');
+    if left_out.trim().is_empty() && is_quotient && symbols_of(&repair.replacement, model).len() > 1 {
+        return false;
+    }
     // What solves another equation becomes a solution of this one where a parenthesis unites its terms.
     let parentheses = |text: &str| text.matches('(').count();
     if solves && parentheses(&repair.replacement) > parentheses(left_out) {
