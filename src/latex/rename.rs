@@ -92,7 +92,7 @@ fn collect(item: &Item, text: &str, table: &HashMap<Name, Name>, edits: &mut Vec
     if let Some(printed) = names::printed(item, None) {
         let spelled = |span: Span| text.get(span.range()).and_then(names::parse).is_some();
         if let Some(new) = table.get(&printed.name)
-            && let Some((core, rest)) = parts(item)
+            && let Some((core, rest)) = parts(item, text)
             && spelled(core)
         {
             let new = new.to_string();
@@ -126,16 +126,16 @@ fn collect(item: &Item, text: &str, table: &HashMap<Name, Name>, edits: &mut Vec
     }
 }
 
-/// The bytes of a name that its replacement takes, and those of its subscript, where that stands apart.
-fn parts(item: &Item) -> Option<(Span, Option<Span>)> {
+/// The bytes of a name that its replacement takes, and those of its subscript and its primes, where these stand apart.
+fn parts(item: &Item, text: &str) -> Option<(Span, Option<Span>)> {
     match &item.layout {
-        Layout::Accent(command, inner) if overdots::order(command).is_some() => parts(inner),
+        Layout::Accent(command, inner) if overdots::order(command).is_some() => parts(inner, text),
         Layout::Group(items) => match items.as_slice() {
-            [single] => parts(single),
+            [single] => parts(single, text),
             _ => None,
         },
         Layout::Scripts { nucleus, sub, sup, primes: 0 } => {
-            let (core, rest) = parts(nucleus)?;
+            let (core, rest) = parts(nucleus, text)?;
             let Some(sub) = sub else { return Some((core, rest)) };
             if rest.is_some() {
                 return None;
@@ -146,7 +146,17 @@ fn parts(item: &Item) -> Option<(Span, Option<Span>)> {
             };
             Some((core, Some(Span::new(from, sub.span.end))))
         }
-        Layout::Scripts { .. } => None,
+        Layout::Scripts { nucleus, sub, sup, .. } => {
+            let (core, None) = parts(nucleus, text)? else { return None };
+            let end = match sup {
+                Some(sup) if sub.as_ref().is_none_or(|sub| sub.span.end <= sup.span.start) => {
+                    text.get(..sup.span.start)?.rfind('^').filter(|at| *at >= nucleus.span.end)?
+                }
+                Some(_) => return None,
+                None => item.span.end,
+            };
+            Some((core, Some(Span::new(nucleus.span.end, end))))
+        }
         _ => Some((item.span, None)),
     }
 }
@@ -169,7 +179,9 @@ mod tests {
         assert_eq!(with(r"\frac{d\varphi}{dt}", &pairs).text, r"\frac{d\theta}{dt}");
         assert_eq!(with("ab", &[("a", "\\theta")]).text, r"\theta b");
         assert_eq!(with("a^2", &[("a", "v_0")]).text, "{v_0}^2");
+        assert_eq!(with("v_1' + v_1'^2 + v'_2", &[("v_1'", "u_1"), ("v_2'", "w")]).text, "{u_1} + {u_1}^2 + w");
         // The twin: a name that only begins alike stays.
+        assert_eq!(with("v_1 + v_1''", &[("v_1'", "u_1")]).text, "v_1 + v_1''");
         assert_eq!(with("m_2 R_1", &pairs).text, "m_2 R_1");
     }
 
@@ -177,6 +189,10 @@ mod tests {
     fn functions_of_other_languages_are_read() {
         assert_eq!(with(r"\operatorname{sen}\alpha", &[]).text, r"\sin\alpha");
         assert_eq!(with(r"\mathrm{tg}x", &[]).text, r"\tan x");
+        assert_eq!(with(r"g\cos^2\alpha/(M+m)", &[]).text, r"g\cos^2(\alpha)/(M+m)");
+        assert_eq!(with(r"\sin x / \cos x", &[]).text, r"\sin (x) / \cos x");
+        // The twins: half an angle may be meant.
+        assert_eq!(with(r"\cos\alpha/2", &[]).text, r"\cos\alpha/2");
         assert_eq!(with(r"v_{\mathrm{sen}}", &[]).text, r"v_{\mathrm{sen}}");
     }
 

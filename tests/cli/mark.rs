@@ -253,3 +253,76 @@ fn a_problem_that_is_wrong_itself_marks_nobody() {
     let none = desk.onshell(&["mark", "nobody.md", "--claims", "p.json"]);
     assert_eq!(none.code, 2);
 }
+
+/// The marks of the lines of a hand-in about a problem, and the missing results.
+fn marks(name: &str, problem: (&str, &str), hand_in: &str) -> Vec<String> {
+    let desk = Desk::new(name);
+    desk.write("p.md", problem.0);
+    desk.write("p.json", problem.1);
+    desk.write("a.md", hand_in);
+    let run = desk.onshell(&["mark", "a.md", "--claims", "p.json", "--format", "json"]);
+    let mut found = found(&run, "a");
+    found.retain(|word| !word.starts_with("points"));
+    found
+}
+
+#[test]
+fn many_letters_are_found_at_once_by_the_form_of_a_line() {
+    let problem = (
+        "$$ A = \\frac{m_1 k - m_2 g}{m_1 + m_2} \\tag{1} $$\n\n$$ S = \\frac{a b c}{m_1} A + d \\tag{2} $$\n",
+        r#"{ "notes": "p.md", "constants": { "m_1, m_2, k, g, a, b, c, d": "> 0" } }"#,
+    );
+    let right = "$$ P = \\frac{u w - x z}{x + u} $$\n\n$$ Q = \\delta + \\frac{P}{u} \\alpha \\beta \\gamma $$\n";
+    assert_eq!(marks("mark-many-letters", problem, right), ["right", "right"]);
+    // The twin: a sign is wrong, and no letters make it right.
+    let wrong = right.replace("u w -", "u w +");
+    assert_ne!(marks("mark-many-letters-wrong", problem, &wrong)[0], "right");
+}
+
+#[test]
+fn the_square_of_what_is_positive_says_what_it_is() {
+    let fall = ("$$ v = \\sqrt{2 g h} \\tag{1} $$\n", r#"{ "notes": "p.md", "constants": { "g, h": "> 0" } }"#);
+    assert_eq!(marks("mark-square", fall, "$$ v^2 = 2 g h $$\n"), ["right"]);
+    // The twin: of what has either sign the square says less.
+    let change = ("$$ x = a - b \\tag{1} $$\n", r#"{ "notes": "p.md", "constants": { "a, b": "> 0" } }"#);
+    assert_eq!(marks("mark-square-sign", change, "$$ x^2 = (a - b)^2 $$\n"), ["right", "missing:1"]);
+}
+
+#[test]
+fn a_momentum_that_the_laws_keep_is_given_and_another_is_wrong() {
+    let problem = (
+        "$$ (M + m) \\ddot X = m \\ddot s \\cos\\alpha \\tag{1} $$\n\n$$ \\ddot s = g \\sin\\alpha + \\ddot X \\cos\\alpha \\tag{2} $$\n\n\
+         $$ \\ddot X = \\frac{m g \\sin\\alpha \\cos\\alpha}{M + m \\sin^2\\alpha} \\tag{3} $$\n",
+        r#"{ "notes": "p.md", "constants": { "M, m, g": "> 0", "\\alpha": "(0, \\pi/2)" },
+             "varies with time": { "X, s": "any" }, "laws": { "momentum": "1", "Newton": "2" },
+             "rubric": { "results": { "3": 1 } } }"#,
+    );
+    let result = "\n\n$$ \\ddot X = m g \\sin\\alpha \\cos\\alpha/(M + m \\sin^2\\alpha) $$\n";
+    for (at, (line, mark)) in [
+        ("M \\dot X = m (\\dot s \\cos\\alpha - \\dot X)", "given"),
+        ("M X = m (s \\cos\\alpha - X)", "given"),
+        ("M \\dot X = m (\\dot s \\cos\\alpha + \\dot X)", "wrong"),
+        ("M X = m (s \\cos\\alpha + X)", "wrong"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let found = marks(&format!("mark-momentum-{at}"), problem, &format!("$$ {line} $$ {result}"));
+        assert_eq!(found, [mark, "right"], "{line}");
+    }
+}
+
+#[test]
+fn a_step_by_algebra_from_what_contradicts_the_problem_is_carried() {
+    let problem = (
+        "$$ u_1 = \\frac{m - M}{m + M} v $$\n\n$$ u_2 = \\frac{2 m}{m + M} v \\tag{1} $$\n",
+        r#"{ "notes": "p.md", "constants": { "m, M, v": "> 0" } }"#,
+    );
+    let last = |name: &str, line: &str| {
+        let before = "$$ m v = m u_1 + M u_2 $$\n\n$$ u_2 = v - u_1 $$\n\n$$ u_1 = v $$\n\n";
+        marks(name, problem, &format!("{before}$$ {line} $$\n")).pop().unwrap()
+    };
+    assert_eq!(last("mark-algebra", "u_2 = 0"), "carried");
+    // The twin: another value follows from nothing before it.
+    assert_eq!(last("mark-algebra-wrong", "u_2 = \\frac{v}{7}"), "wrong");
+}

@@ -352,7 +352,7 @@ fn free(model: &mut Model, id: SymbolId, range: Range) {
 /// Whether a formula is positive at all states of the problem: then its square says as much.
 fn is_positive(checker: &Checker<'_>, formula: &Expr) -> bool {
     let link = checker.link(formula, Relation::Greater, &Expr::integer(0, formula.span));
-    link.is_ok_and(|link| numbers::holds(checker, &checker.model, &link, &[]) == Some(true))
+    link.is_ok_and(|link| numbers::holds(checker, checker.model, &link, &[]) == Some(true))
 }
 
 /// The equalities that a reading states: each link, and the first member with the last.

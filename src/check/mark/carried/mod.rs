@@ -48,7 +48,7 @@ pub(super) fn origin(
         let wrong = &checker.readings[*from];
         let is_inserted = numbers::inserted(checker, wrong, own)
             .is_some_and(|new| matches!(status(checker, at, &new, &Claim::default()), Status::Holds(..)));
-        if is_inserted || numbers::follows(checker, *from, (before.sound, before.laws), own) {
+        if is_inserted || numbers::follows(checker, *from, before, own) {
             return Ok(Some(*from));
         }
         if pieces.is_empty() {

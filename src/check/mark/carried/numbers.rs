@@ -18,6 +18,7 @@ use crate::check::sample::context::Context;
 use crate::check::sample::outcome;
 
 use super::super::status::{Status, status};
+use super::Before;
 
 /// The states at which equations are compared, and how many of them must decide.
 pub(in crate::check::mark) const STATES: usize = 8;
@@ -55,12 +56,7 @@ pub(in crate::check::mark) fn holds(
 }
 
 /// Whether a false line follows from a false line, by itself or with true lines.
-pub(in crate::check::mark) fn follows(
-    checker: &Checker<'_>,
-    from: usize,
-    (sound, laws): (&[usize], &[usize]),
-    own: &Reading,
-) -> bool {
+pub(in crate::check::mark) fn follows(checker: &Checker<'_>, from: usize, before: &Before<'_>, own: &Reading) -> bool {
     let (Some(wrong), Some(own)) = (links(checker, &checker.readings[from]), links(checker, own)) else { return false };
     let mut model = checker.without_system(false).model;
     for id in conserved(checker, from, wrong.iter().chain(&own)) {
@@ -70,7 +66,9 @@ pub(in crate::check::mark) fn follows(
     let nearest = |all: &[usize]| -> Vec<Vec<Link>> {
         all.iter().rev().take(BESIDE).filter_map(|at| links(checker, &checker.readings[*at])).collect()
     };
-    let (sound, laws) = (nearest(sound), nearest(laws));
+    let (sound, laws) = (nearest(before.sound), nearest(before.laws));
+    let others: Vec<usize> = before.wrong.iter().copied().filter(|other| *other != from).collect();
+    let others = nearest(&others);
     let premises = |links: &mut dyn Iterator<Item = &Link>| -> Vec<Hypothesis> {
         links.map(|link| Hypothesis::of(link.clone(), false)).collect()
     };
@@ -80,13 +78,35 @@ pub(in crate::check::mark) fn follows(
     if sound.len() > 1 {
         sets.push(premises(&mut wrong.iter().chain(sound.iter().flatten())));
     }
-    sets.iter().filter(|set| !set.is_empty()).any(|set| {
-        own.iter().all(|link| {
-            // Where both sides vanish, anything would follow.
-            holds(checker, &model, &beside_one(checker, link), set) == Some(true)
-                && twice(checker, link).is_none_or(|twice| holds(checker, &model, &twice, set) == Some(false))
-        })
-    })
+    let holds_all = |model: &Model, set: &Vec<Hypothesis>| {
+        !set.is_empty()
+            && own.iter().all(|link| {
+                // Where both sides vanish, anything would follow.
+                holds(checker, model, &beside_one(checker, link), set) == Some(true)
+                    && twice(checker, link).is_none_or(|twice| holds(checker, model, &twice, set) == Some(false))
+            })
+    };
+    if sets.iter().any(|set| holds_all(&model, set)) {
+        return true;
+    }
+    // What the problem says of its own quantities may contradict a false line; by algebra alone a step may still follow.
+    let mut names: Vec<SymbolId> = Vec::new();
+    let of_problem = |id: SymbolId| {
+        let first = before.all.first().copied().unwrap_or(from);
+        checker.readings[..first].iter().flat_map(|reading| &reading.introduced).any(|new| new.symbol == id)
+    };
+    for (id, _) in wrong.iter().chain(&own).flat_map(|link| link.lhs.symbols().into_iter().chain(link.rhs.symbols())) {
+        if !names.contains(&id) && of_problem(id) && matches!(model.meaning(id), Some(Meaning::Defined(_))) {
+            names.push(id);
+        }
+    }
+    let mut open = model;
+    for id in &names {
+        open.mean(*id, Meaning::Varying(open.varying.len()));
+        open.varying.push(Variable::number(*id, Range::Any));
+    }
+    sets.extend(others.iter().map(|one| premises(&mut wrong.iter().chain(one))));
+    !names.is_empty() && sets.iter().any(|set| holds_all(&open, set))
 }
 
 /// A line with the value that a false line gives to a quantity in its place; `None`, if it gives none.

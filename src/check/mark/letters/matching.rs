@@ -30,44 +30,43 @@ pub(super) fn tables(
     let of_problem = equalities(displays, &mut symbols, &own_macros);
     let mut own = Symbols::open();
     let written = equalities(lines.iter().map(|line| line.text.as_str()), &mut own, macros);
+    let other = |pairs: &Pairs| -> Letters {
+        let named = pairs.iter().map(|(a, b)| (&own.entry(*a).name, &symbols.entry(*b).name));
+        let stands_for = |name: &Name| StandsFor { name: name.clone(), dots: 0 };
+        named.filter(|(a, b)| a != b).map(|(a, b)| (a.clone(), stands_for(b))).collect()
+    };
+    let is_number = |name: &Name| known.names.iter().any(|(known, ..)| known == name);
+    let is_sound = |table: &Letters| table.iter().all(|(a, b)| is_own(a) && is_free(&b.name) && is_number(&b.name));
+    // The letters with which a line is an equation of the problem, beside those that are known.
+    let more = |known: &Pairs, line: &(Expr, Expr), display: &(Expr, Expr)| -> Option<Pairs> {
+        let mut pairs = known.clone();
+        let is_it = is_alike(&line.0, &display.0, &mut pairs) && is_alike(&line.1, &display.1, &mut pairs);
+        (is_it && is_sound(&other(&pairs))).then_some(pairs)
+    };
+    let none = Pairs::new();
+    let all = written.iter().flat_map(|line| of_problem.iter().map(move |display| (line, display)));
+    let mut starts: Vec<Pairs> = all.filter_map(|(line, display)| more(&none, line, display)).collect();
+    starts.sort_by_key(|pairs| std::cmp::Reverse(pairs.len()));
     let mut found: Vec<Letters> = Vec::new();
-    for line in &written {
-        for display in &of_problem {
-            let mut pairs = Vec::new();
-            if !is_alike(&line.0, &display.0, &mut pairs) || !is_alike(&line.1, &display.1, &mut pairs) {
-                continue;
+    for start in starts.into_iter().take(2 * MOST) {
+        let mut pairs = start;
+        for line in &written {
+            if let Some(new) = of_problem.iter().find_map(|display| more(&pairs, line, display)) {
+                pairs = new;
             }
-            let named = pairs.iter().map(|(a, b)| (&own.entry(*a).name, &symbols.entry(*b).name));
-            let other: Vec<(&Name, &Name)> = named.filter(|(a, b)| a != b).collect();
-            let is_sound =
-                other.iter().all(|(a, b)| is_own(a) && is_free(b) && known.names.iter().any(|(n, ..)| n == *b));
-            if is_sound && !other.is_empty() {
-                let stands_for = |name: &Name| StandsFor { name: name.clone(), dots: 0 };
-                found.push(other.into_iter().map(|(a, b)| (a.clone(), stands_for(b))).collect());
-            }
+        }
+        let table = other(&pairs);
+        if !table.is_empty() && !found.contains(&table) {
+            found.push(table);
         }
     }
     found.sort_by_key(|table| std::cmp::Reverse(table.len()));
-    let mut merged: Vec<Letters> = Vec::new();
-    for first in &found {
-        let mut table = first.clone();
-        for more in found.iter().filter(|more| fit(&table, more)).cloned().collect::<Vec<_>>() {
-            if fit(&table, &more) {
-                table.extend(more);
-            }
-        }
-        if !merged.contains(&table) && merged.len() < MOST {
-            merged.push(table);
-        }
-    }
-    merged.sort_by_key(|table| std::cmp::Reverse(table.len()));
-    merged
+    found.truncate(MOST);
+    found
 }
 
-/// Whether no letter has two meanings in both tables together, and no meaning two letters.
-fn fit(a: &Letters, b: &Letters) -> bool {
-    b.iter().all(|(own, other)| a.iter().all(|(known, meaning)| (known == own) == (meaning == other)))
-}
+/// Letters of the hand-in with those of the problem to which they correspond.
+type Pairs = Vec<(SymbolId, SymbolId)>;
 
 /// The equalities in texts: the first member with each other one.
 fn equalities<'t>(texts: impl Iterator<Item = &'t str>, symbols: &mut Symbols, macros: &Macros) -> Vec<(Expr, Expr)> {
@@ -83,9 +82,9 @@ fn equalities<'t>(texts: impl Iterator<Item = &'t str>, symbols: &mut Symbols, m
 
 /// Whether two formulas are the same but for their letters and the order of terms and factors. Letters correspond one to
 /// one, as in `pairs`, to which new ones are added.
-fn is_alike(a: &Expr, b: &Expr, pairs: &mut Vec<(SymbolId, SymbolId)>) -> bool {
+fn is_alike(left: &Expr, right: &Expr, pairs: &mut Pairs) -> bool {
     let start = pairs.len();
-    let is_it = match (&a.node, &b.node) {
+    let is_it = match (&left.node, &right.node) {
         (Node::Symbol { id: a, indices: none, dots }, Node::Symbol { id: b, indices: empty, dots: other }) => {
             let known = pairs.iter().find(|(own, meaning)| own == a || meaning == b).copied();
             if known.is_none() {
@@ -93,18 +92,23 @@ fn is_alike(a: &Expr, b: &Expr, pairs: &mut Vec<(SymbolId, SymbolId)>) -> bool {
             }
             none.is_empty() && empty.is_empty() && dots == other && known.is_none_or(|pair| pair == (*a, *b))
         }
-        (Node::Product(a), Node::Product(b)) => {
-            let (a, b): (Vec<_>, Vec<_>) = (a.iter().collect(), b.iter().collect());
-            in_some_order(&a, &b, pairs, &|a, b, pairs| is_alike(a, b, pairs))
+        (Node::Product(_) | Node::Quotient(..), Node::Product(_) | Node::Quotient(..)) => {
+            let ([mut a, mut below], [mut b, mut under]) = (<[Vec<&Expr>; 2]>::default(), Default::default());
+            factors(left, [&mut a, &mut below]);
+            factors(right, [&mut b, &mut under]);
+            let same = |a: &[&Expr], b: &[&Expr], pairs: &mut Vec<_>| {
+                in_some_order(a, b, pairs, &|a: &Expr, b: &Expr, pairs: &mut Vec<_>| is_alike(a, b, pairs))
+            };
+            same(&a, &b, pairs) && same(&below, &under, pairs)
         }
         (Node::Sum(a), Node::Sum(b)) => {
             let (a, b): (Vec<_>, Vec<_>) = (a.iter().collect(), b.iter().collect());
             in_some_order(&a, &b, pairs, &|a, b, pairs| a.sign == b.sign && is_alike(&a.expr, &b.expr, pairs))
         }
         _ => {
-            let (parts, others) = (a.children(), b.children());
+            let (parts, others) = (left.children(), right.children());
             parts.len() == others.len()
-                && head(a) == head(b)
+                && head(left) == head(right)
                 && parts.iter().zip(&others).all(|(a, b)| is_alike(a, b, pairs))
         }
     };
@@ -114,13 +118,20 @@ fn is_alike(a: &Expr, b: &Expr, pairs: &mut Vec<(SymbolId, SymbolId)>) -> bool {
     is_it
 }
 
+/// The factors of a formula: those above the fraction line, and those below.
+fn factors<'e>(formula: &'e Expr, [above, below]: [&mut Vec<&'e Expr>; 2]) {
+    match &formula.node {
+        Node::Product(all) => all.iter().for_each(|factor| factors(factor, [above, below])),
+        Node::Quotient(a, b) => {
+            factors(a, [above, below]);
+            factors(b, [below, above]);
+        }
+        _ => above.push(formula),
+    }
+}
+
 /// Whether the members of two lists correspond in some order.
-fn in_some_order<T: Copy>(
-    a: &[T],
-    b: &[T],
-    pairs: &mut Vec<(SymbolId, SymbolId)>,
-    is_same: &impl Fn(T, T, &mut Vec<(SymbolId, SymbolId)>) -> bool,
-) -> bool {
+fn in_some_order<T: Copy>(a: &[T], b: &[T], pairs: &mut Pairs, is_same: &impl Fn(T, T, &mut Pairs) -> bool) -> bool {
     let Some((first, rest)) = a.split_first() else { return b.is_empty() };
     if a.len() != b.len() || a.len() > LONGEST {
         return false;

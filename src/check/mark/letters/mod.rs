@@ -131,6 +131,14 @@ fn declared(problem: &Problem, used: &[Usage]) -> Letters {
     table
 }
 
+/// Whether the primes of a name make it a rate: without them it is, or stands for, what varies. Otherwise they make it another
+/// quantity, such as a velocity after a collision.
+fn is_rate(name: &Name, known: &Names, declared: &Letters) -> bool {
+    let plain = Name { primes: 0, ..name.clone() };
+    let other = declared.get(&plain).map_or(&plain, |other| &other.name);
+    known.names.iter().any(|(known, role, _)| known == other && *role == Role::Moving)
+}
+
 /// All ways that are tried: those in which a line is one of the problem, each by itself and with the likeliest other
 /// letters, and then the others.
 fn all_ways(
@@ -175,7 +183,7 @@ fn is_own(usage: &Usage, known: &Names, declared: &Letters) -> bool {
         && !reserved
         && !is_momentum
         && !declared.contains_key(name)
-        && name.primes == 0
+        && (name.primes == 0 || !is_rate(name, known, declared))
         && !name.base.starts_with(['(', '['])
 }
 
