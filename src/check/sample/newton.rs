@@ -186,9 +186,7 @@ impl<'m> Projection<'m> {
                 let goes_to = column.last().map_or(base[slot], |value| base[slot] - value.re / change);
                 let vanishes = goes_to.abs() <= 1e-9 * base[slot].abs();
                 let may_vanish = contains(&self.slots[slot].range, 0.0);
-                // Only a deduction has a limit of work.
-                let is_deduction = self.effort.0 < usize::MAX;
-                if !vanishes || may_vanish && !is_deduction {
+                if !vanishes || may_vanish && !self.is_limited() {
                     return Ok(Some(slot));
                 }
                 // l (a − b) = 0 says that a = b: a number that has to vanish is a common factor, and comes after the others

@@ -91,6 +91,11 @@ impl<'m> Projection<'m> {
         self.effort.1.fetch_add(work, Ordering::Relaxed) + work <= self.effort.0
     }
 
+    /// Whether the work is limited, as it is for the premises of a deduction only.
+    pub(crate) fn is_limited(&self) -> bool {
+        self.effort.0 < usize::MAX
+    }
+
     /// Whether no more work may go into solving.
     pub(crate) fn is_spent(&self) -> bool {
         self.effort.1.load(Ordering::Relaxed) > self.effort.0

@@ -170,8 +170,6 @@ fn document(
     if let Some(only) = run.only {
         equations.retain(|equation| equation.id == only);
     }
-    let defines = |equation: &&Equation| equation.finding.verdict == Verdict::Definition;
-    let definitions = equations.iter().filter(defines).map(|equation| equation.latex.clone()).collect();
     let inferred = [inferred, taken_from_sentences(notes, &mut equations)].concat();
     let defines = |equation: &&Equation| equation.finding.verdict == Verdict::Definition;
     let definitions = equations.iter().filter(defines).map(|equation| equation.latex.clone()).collect();
