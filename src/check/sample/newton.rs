@@ -185,12 +185,15 @@ impl<'m> Projection<'m> {
                 // The planned numbers follow, so a number may go to 0 although the row alone leaves it elsewhere.
                 let goes_to = column.last().map_or(base[slot], |value| base[slot] - value.re / change);
                 let vanishes = goes_to.abs() <= 1e-9 * base[slot].abs();
-                if !vanishes {
+                let may_vanish = contains(&self.slots[slot].range, 0.0);
+                // Only a deduction has a limit of work.
+                let is_deduction = self.effort.0 < usize::MAX;
+                if !vanishes || may_vanish && !is_deduction {
                     return Ok(Some(slot));
                 }
                 // l (a − b) = 0 says that a = b: a number that has to vanish is a common factor, and comes after the others
                 // of its class.
-                let last = if contains(&self.slots[slot].range, 0.0) { &mut vanishing } else { &mut outside };
+                let last = if may_vanish { &mut vanishing } else { &mut outside };
                 *last = last.or(Some(slot));
                 continue;
             }

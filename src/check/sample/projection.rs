@@ -53,7 +53,7 @@ pub struct Projection<'m> {
     pub(crate) terms: usize,
     layout: Arc<Layout>,
     /// The most work that may go into solving, and what was spent so far; in values of rows.
-    effort: (usize, AtomicUsize),
+    pub(super) effort: (usize, AtomicUsize),
 }
 
 impl<'m> Projection<'m> {
