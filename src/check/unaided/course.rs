@@ -25,8 +25,11 @@ use crate::check::verdict::report::Equation;
 use crate::formula::{Expr, SymbolId, text};
 use crate::notes::claims::Claim;
 
-/// The most sets of premises with which a slip is sought.
-const SETS_FOR_SLIPS: usize = 2;
+/// The most relations that a display with a slip is taken to solve.
+const SOLVED_WITH_A_SLIP: usize = 2;
+
+/// The fewest symbols of a relation that is taken for an earlier one in another form.
+const FEWEST_RESTATED: usize = 4;
 
 /// The number of displays that are first judged by themselves at once.
 const AT_ONCE: usize = 16;
@@ -192,12 +195,12 @@ impl Course<'_, '_> {
         {
             return Ok(wrong);
         }
-        for set in sets.iter().take(SETS_FOR_SLIPS) {
+        for set in premises::for_slips(&sets) {
             if let Some(wrong) = self.slip(at, &premises::claim(set), set, &words)? {
                 return Ok(wrong);
             }
         }
-        for solution in solved.iter().filter(|solution| solution.same_symbols).take(SETS_FOR_SLIPS) {
+        for solution in solved.iter().filter(|solution| solution.same_symbols).take(SOLVED_WITH_A_SLIP) {
             if let Some(wrong) = self.slip(at, &solution.claim, &[solution.of], &words)? {
                 return Ok(wrong);
             }
@@ -232,6 +235,21 @@ impl Course<'_, '_> {
             let link = self.checker.link(lhs, *relation, rhs);
             link.is_ok_and(|link| self.checker.solution(&link, 0, claim).is_some())
         })
+    }
+
+    /// Whether a display relates the symbols that an earlier one does, in another order of its terms perhaps.
+    fn restates(&self, at: usize) -> bool {
+        let printed = |at: usize| {
+            let [Ok(statement)] = self.checker.readings[at].statements.as_slice() else { return Vec::new() };
+            let [first, second] = statement.members.as_slice() else { return Vec::new() };
+            let mut found: Vec<usize> =
+                first.symbols().into_iter().chain(second.symbols()).map(|(id, _)| id.0).collect();
+            found.sort_unstable();
+            found.dedup();
+            found
+        };
+        let own = printed(at);
+        own.len() >= FEWEST_RESTATED && (0..at).any(|earlier| printed(earlier) == own)
     }
 
     /// The symbols that a display relates, if it was read.
@@ -290,7 +308,7 @@ impl Course<'_, '_> {
             [_] => (Basis::Premise, Search::Likely),
             _ => (Basis::Premises, Search::Likely),
         };
-        let solves = set.is_empty() && self.prints_a_solution(at, claim);
+        let solves = set.is_empty() && (self.prints_a_solution(at, claim) || self.restates(at));
         if !solves && !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words)
             || words.announced == Announced::Assumption
         {

@@ -244,6 +244,8 @@ impl Guess {
 fn is_reserved(usage: &Usage) -> bool {
     let is_quantity = match usage.name.base.as_str() {
         "i" => usage.moves || usage.arguments.is_some(),
+        // An eccentricity, or the coefficient of restitution.
+        "e" => !usage.exponential,
         "d" => usage.divides || !usage.precedes,
         _ => false,
     };

@@ -4,6 +4,7 @@
 //! author's. Only what the words announce is taken. A condition ("if $x = x_0$"), a value and a name for a name are none, and
 //! neither is a formula of a name that displays further back use: it may be a special case.
 
+use crate::formula::symbols::Name;
 use crate::latex::Macros;
 use crate::notes::{Display, Notes};
 use crate::source::Span;
@@ -51,7 +52,11 @@ pub(super) fn with_definitions(notes: &Notes, displays: Vec<Display>, macros: &M
     let mut found = displays;
     let mut defined: Vec<String> = Vec::new();
     for span in &notes.inline {
-        let Some(display) = formula(notes, *span).filter(|_| is_announced(notes, *span)) else { continue };
+        let Some(display) = formula(notes, *span) else { continue };
+        let is_sum = || is_sum(&display, &usages, macros) && !follows_condition(notes, *span);
+        if !is_announced(notes, *span) && !is_sum() {
+            continue;
+        }
         let at = found.iter().position(|other| other.span.start > span.start).unwrap_or(found.len());
         let authors = found[..at].iter().filter(|display| !is_inline(notes, display)).count();
         let Some(name) = name(&display, macros).filter(|name| !defined.contains(name)) else { continue };
@@ -101,8 +106,39 @@ fn name(display: &Display, macros: &Macros) -> Option<String> {
     (stands_alone && is_other && is_more).then(|| only.name.to_string())
 }
 
-/// Whether the words before a formula in a sentence announce a definition.
+/// Whether a formula is a sum of names that displays give formulas, as L = T − V.
+fn is_sum(display: &Display, usages: &[Usage], macros: &Macros) -> bool {
+    let Some((_, right)) = display.text.split_once('=') else { return false };
+    let parts: Vec<&str> = right.split(['+', '-']).collect();
+    let is_defined = |part: &&str| {
+        let names = names_of(&[Display { text: (*part).to_owned(), ..display.clone() }], macros);
+        let [only] = names.as_slice() else { return false };
+        let name = part.trim();
+        let is_whole = only.name.to_string() == name || Name::plain(name) == only.name;
+        is_whole && usages.iter().any(|usage| usage.name == only.name && usage.introduced.is_some())
+    };
+    parts.len() > 1 && parts.iter().all(is_defined)
+}
+
+/// Whether words before a formula in a sentence announce a definition.
 fn is_announced(notes: &Notes, span: Span) -> bool {
+    let words = words_before(notes, span);
+    let Some(announced) = last(&words, &ANNOUNCE) else { return false };
+    last(&words, &CONDITION).is_none_or(|condition| condition < announced) && words.len() - announced <= MOST_WORDS
+}
+
+/// Whether the sentence of a formula begins with a condition.
+fn follows_condition(notes: &Notes, span: Span) -> bool {
+    last(&words_before(notes, span), &CONDITION).is_some()
+}
+
+/// The last place of one of these words.
+fn last(words: &[String], list: &[&str]) -> Option<usize> {
+    words.iter().rposition(|word| list.contains(&word.as_str()))
+}
+
+/// The words of a sentence before a formula in it.
+fn words_before(notes: &Notes, span: Span) -> Vec<String> {
     let text = &notes.source.text;
     let start = notes.equations.iter().map(|display| display.span.end).filter(|end| *end <= span.start).max();
     let mut from = start.unwrap_or(0).max(span.start.saturating_sub(LONGEST));
@@ -116,8 +152,5 @@ fn is_announced(notes: &Notes, span: Span) -> bool {
     }
     let sentence = words.rsplit(['.', '?', '!', ';', ':']).next().unwrap_or_default();
     let sentence = sentence.rsplit("\n\n").next().unwrap_or_default().to_lowercase();
-    let words: Vec<&str> = sentence.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty()).collect();
-    let last = |list: &[&str]| words.iter().rposition(|word| list.contains(word));
-    let Some(announced) = last(&ANNOUNCE) else { return false };
-    last(&CONDITION).is_none_or(|condition| condition < announced) && words.len() - announced <= MOST_WORDS
+    sentence.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty()).map(str::to_owned).collect()
 }

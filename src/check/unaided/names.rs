@@ -26,6 +26,8 @@ pub(in crate::check) struct Usage {
     pub precedes: bool,
     /// Whether something is differentiated by it, or by its rate.
     pub differentiates: bool,
+    /// Whether it has an exponent other than a whole number, as Euler's number does.
+    pub exponential: bool,
     /// The first display with it.
     pub first: usize,
     /// The first display of which it is the whole left side.
@@ -223,6 +225,7 @@ fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'f mut Usage
             divides: false,
             precedes: false,
             differentiates: false,
+            exponential: false,
             first: at,
             introduced: None,
             arguments: None,
@@ -254,6 +257,7 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
                 usage.arguments.get_or_insert(arguments);
             }
             if let Some(sup) = printed.sup {
+                usage.exponential |= !matches!(contents(sup), [Item { layout: Layout::Number(_), .. }]);
                 walk(std::slice::from_ref(sup), Place::default(), at, found);
             }
             continue;

@@ -64,6 +64,13 @@ pub(super) fn sets<'p>(known: &'p [Premise], symbols: &[SymbolId], named: &[usiz
     found
 }
 
+/// The sets with which a slip is sought: the likeliest, and the first of those with the most premises, which say the most.
+pub(super) fn for_slips<'s, 'p>(sets: &'s [Vec<&'p Premise>]) -> impl Iterator<Item = &'s Vec<&'p Premise>> {
+    let longest = sets.iter().map(Vec::len).max().unwrap_or(0);
+    let most = sets.iter().skip(1).find(|set| set.len() == longest);
+    sets.first().into_iter().chain(most)
+}
+
 /// The number of symbols that premises cannot eliminate to leave a relation between these symbols; `None`, if one of the
 /// premises has nothing to do with the others.
 fn surplus(premises: &[&Premise], symbols: &[SymbolId]) -> Option<usize> {
