@@ -122,7 +122,7 @@ fn a_document_that_passes_is_one_line_and_verbose_lists_it() {
     // Nine documents, an empty line, and the summary.
     assert_eq!(lines.len(), 11, "{}", brief.out);
     assert!(lines[8].starts_with("derivations/06-spinning-top.md: ") && lines[8].contains("refuted as expected"));
-    assert!(lines[10].starts_with("78 equations, 151 sentences: ") && lines[10].ends_with("all as expected"));
+    assert!(lines[10].starts_with("78 equations, 154 sentences: ") && lines[10].ends_with("all as expected"));
     let listed = desk.onshell(&["check", "derivations", "-v"]);
     assert!(listed.out.lines().any(|line| line.starts_with("  ✓ 6.73  ")), "{}", listed.out);
     assert_eq!(listed.out.lines().last(), lines.last().copied());
