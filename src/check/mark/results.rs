@@ -203,6 +203,9 @@ impl Goal {
         if restatement::same_but_for_letters(link, wanted) {
             return true;
         }
+        if !self.is_solved_for(link, wanted) {
+            return false;
+        }
         let own = Hypothesis::of(link.clone(), false);
         match self.holds(checker, wanted, &[]) {
             // What holds anyway is recognised by its sides.
@@ -215,6 +218,17 @@ impl Goal {
             }
             _ => self.holds(checker, link, &[]) == Some(false) && self.holds(checker, wanted, &[own]) == Some(true),
         }
+    }
+
+    /// Whether a link has a side with no other name than the quantity whose formula is wanted: ½mu² = mgh is a step on the way to
+    /// the height, and v² = 2gh gives the speed.
+    fn is_solved_for(&self, link: &Link, wanted: &Link) -> bool {
+        let Some(id) = wanted.lhs.as_plain_symbol() else { return true };
+        let is_alone = |side: &Expr| {
+            let names = side.symbols();
+            !names.is_empty() && names.iter().all(|(name, _)| *name == id)
+        };
+        is_alone(&link.lhs) || is_alone(&link.rhs)
     }
 
     /// Whether a link holds at states that obey a hypothesis; `None`, if there are too few.
