@@ -23,6 +23,9 @@ const NO_AXE: &str = "no axe: `npm install --prefix target/tools axe-core` gets 
 /// Makes the pages of one kind in a folder, and returns the folder of the pages.
 type Make = fn(&Path) -> PathBuf;
 
+/// What a test looks at in the browser.
+type Look = Box<dyn Fn(&Browser) -> Result<(), String> + Send>;
+
 /// The kinds of pages.
 const KINDS: [(&str, Make); 7] = [
     ("pages_of_a_report", pages_of_a_report),
@@ -41,7 +44,7 @@ fn main() -> ExitCode {
         eprintln!("{advice}");
     });
     let mut trials = Vec::new();
-    let mut add = |name: &str, needs_axe: bool, test: Box<dyn Fn(&Browser) -> Result<(), String> + Send>| {
+    let mut add = |name: &str, needs_axe: bool, test: Look| {
         let axe = axe.clone().filter(|_| needs_axe);
         let is_skipped = browser.is_none() || (needs_axe && axe.is_none());
         let browser = browser.clone();
