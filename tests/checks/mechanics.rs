@@ -444,6 +444,28 @@ fn a_small_coordinate_may_have_a_small_rate() {
     assert_eq!(swing("m l"), Refuted);
 }
 
+/// Terms of the third and the fourth order nearly cancel in some families: ηθ̇² and gθ⁴/24. No power is seen there yet.
+#[test]
+fn terms_that_nearly_cancel_show_no_order() {
+    let claims = json!({
+        "coordinates": { r"\eta": "any", r"\theta": "angle" },
+        "constants": { "m, g, k, a": "> 0" },
+        "means": { "L": "Lagrangian" },
+    });
+    let before = [
+        r"r = a + \frac{m g}{k} + \eta",
+        r"L = \frac12 m(\dot r^2 + r^2\dot\theta^2) - \frac12 k(r - a)^2 + m g r\cos\theta",
+    ];
+    let stretch = |sign: &str| {
+        let latex = format!(
+            r"\ddot\eta \approx -\frac km\eta + \left(a + \frac{{m g}}{{k}}\right)\dot\theta^2 {sign} \frac12 g\theta^2"
+        );
+        verdict(&claims, &[before[0], before[1], &latex], json!({ "small": [r"\eta", r"\theta"], "order": 2 }))
+    };
+    assert_eq!(stretch("-"), Verified);
+    assert_eq!(stretch("+"), Refuted);
+}
+
 #[test]
 fn each_part_of_a_display_may_be_a_solution_with_constants_of_its_own() {
     let claims = json!({

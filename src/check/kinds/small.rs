@@ -62,6 +62,9 @@ const ROUNDING: f64 = 1e-12;
 /// The multiple of the rounding error above which an error is significant.
 const CLEAR: f64 = 10.0;
 
+/// The most by which a measured power may rise from one step to the next: beyond it the difference has no power yet.
+const UNSETTLED: f64 = 0.3;
+
 /// The largest distance of a measured power below a whole one.
 const SLACK: f64 = 0.25;
 
@@ -367,7 +370,11 @@ impl<'m> ShrinkingFamily<'m> {
             return Ok((f64::INFINITY, last));
         }
         let tail = &errors[errors.len() - 3..];
-        Ok(((tail[0] / tail[2]).log2() / 2.0, last))
+        let steps = [(tail[0] / tail[1]).log2(), (tail[1] / tail[2]).log2()];
+        // Two terms of different powers that nearly cancel show neither power yet: ηθ̇² and gθ⁴ at steps that are too large.
+        let is_settled = steps[1] - steps[0] <= UNSETTLED;
+        let power = if is_settled { (steps[0] + steps[1]) / 2.0 } else { f64::NAN };
+        Ok((power, last))
     }
 
     /// The power that many digits show, as far as it decides an order; else that of the first and of the further steps,

@@ -22,7 +22,6 @@ mod gate;
 mod inference;
 mod inline;
 mod laws;
-#[cfg(feature = "cli")]
 pub(super) mod names;
 mod premises;
 mod prose;
