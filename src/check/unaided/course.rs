@@ -200,7 +200,9 @@ impl Course<'_, '_> {
                 return Ok(wrong);
             }
         }
-        for solution in solved.iter().filter(|solution| solution.same_symbols).take(SOLVED_WITH_A_SLIP) {
+        for solution in
+            solved.iter().filter(|solution| solution.same_symbols && words.connected).take(SOLVED_WITH_A_SLIP)
+        {
             if let Some(wrong) = self.slip(at, &solution.claim, &[solution.of], &words)? {
                 return Ok(wrong);
             }
@@ -308,7 +310,7 @@ impl Course<'_, '_> {
             [_] => (Basis::Premise, Search::Likely),
             _ => (Basis::Premises, Search::Likely),
         };
-        let solves = set.is_empty() && (self.prints_a_solution(at, claim) || self.restates(at));
+        let solves = set.is_empty() && (self.prints_a_solution(at, claim) || words.connected && self.restates(at));
         if !solves && !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words)
             || words.announced == Announced::Assumption
         {

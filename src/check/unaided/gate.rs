@@ -290,7 +290,10 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     };
     // Under premises a formula for a known name is a conclusion. A special case has fewer symbols than what it is a case of.
     let has_same = before.iter().all(|id| after.contains(id)) && after.iter().all(|id| before.contains(id));
-    let concludes = matches!(basis, Basis::Premise | Basis::Premises) && has_same && before.len() >= FEWEST_SYMBOLS;
+    let concludes = words.connected
+        && matches!(basis, Basis::Premise | Basis::Premises)
+        && has_same
+        && before.len() >= FEWEST_SYMBOLS;
     let is_claim = |pair: &&[Expr]| solves || concludes || is_bound(&pair[0], &pair[1]) && is_bound(&pair[1], &pair[0]);
     let edited = Span::new(start, start + repair.replacement.len());
     let is_edited = |pair: &&[Expr]| pair[0].span.to(pair[1].span).contains(edited);

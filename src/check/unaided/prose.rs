@@ -92,6 +92,9 @@ const ASSUMPTION: [&str; 34] = [
     "require",
 ];
 
+/// Words that announce the solutions of what was said before.
+const SOLUTION: [&str; 2] = ["solution", "root"];
+
 /// What the words before a display announce.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Announced {
@@ -110,6 +113,9 @@ pub(super) struct Words {
     pub announced: Announced,
     /// The displays that they name, by their places, the first first.
     pub named: Vec<usize>,
+    /// Whether the display is connected with what comes before it: a consequence, its solutions, or no words at all. After other
+    /// words it may be another case, such as a motion in the opposite direction, which differs by a sign.
+    pub connected: bool,
 }
 
 /// The words before the `at`-th display.
@@ -127,14 +133,15 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
     if at > 0 && further > 0 && sentence.chars().filter(|c| c.is_alphabetic()).count() <= GOES_ON {
         let before = looking_back(notes, at - 1, further - 1);
         let named = cited(notes, at, all).into_iter().chain(before.named).collect();
-        return Words { announced: before.announced, named };
+        return Words { announced: before.announced, named, connected: before.announced != Announced::Assumption };
     }
     let announced = match (says(&ASSUMPTION), says(&CONSEQUENCE)) {
         (true, _) => Announced::Assumption,
         (false, true) => Announced::Consequence,
         (false, false) => Announced::Nothing,
     };
-    Words { announced, named: cited(notes, at, all) }
+    let connected = announced == Announced::Consequence || announced == Announced::Nothing && says(&SOLUTION);
+    Words { announced, named: cited(notes, at, all), connected }
 }
 
 /// The displays that the words before the `at`-th display cite.
