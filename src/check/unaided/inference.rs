@@ -22,9 +22,10 @@ use crate::check::document::unreadable::faults;
 use crate::check::model::Model;
 use crate::check::model::meaning::Variable;
 use crate::check::unaided::names::{Usage, names_of};
+use crate::check::unaided::values::{self, Value as OneValue};
 
 /// How often the displays are read again with the names that were missing.
-const ROUNDS: usize = 4;
+const ROUNDS: usize = 8;
 
 /// The claims that are inferred for notes.
 ///
@@ -35,28 +36,39 @@ pub(super) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
     define_macros(&notes.macros, &mut macros);
     let usages = names_of(&notes.equations, &macros);
     let lagrangian = lagrangian(notes, &usages);
-    // A function of a name that a display defines cannot be declared. It must not take all other guesses with it.
-    for (printed, functions) in [(lagrangian, true), (lagrangian, false), (None, true), (None, false)] {
-        let mut guess = Guess::of(&usages, printed);
-        if !functions && guess.keys.remove("functions").is_none() {
-            continue;
-        }
-        let mut best = None;
-        for _ in 0..ROUNDS {
-            let claims = guess.claims(notes)?;
-            let look = |checker: Checker<'_>| Ok((missing(checker.readings), foreign(checker.model)));
-            let Ok((missing, foreign)) = with_checker(run, &claims, notes, look) else { break };
-            best = Some(claims);
-            let is_new = guess.add(&missing);
-            if !guess.release(&foreign) && !is_new {
-                break;
+    for printed in [lagrangian, None] {
+        let whole = Guess::of(&usages, printed);
+        // A function of a name that a display defines cannot be declared. It must not take all other guesses with it.
+        let functions = whole.names("functions");
+        let one_less = functions.iter().map(|name| whole.without("functions", std::slice::from_ref(name)));
+        let none = (!functions.is_empty()).then(|| whole.without("functions", &functions));
+        for guess in std::iter::once(whole.clone()).chain(one_less).chain(none) {
+            if let Some(best) = completed(run, notes, guess, &macros)? {
+                return Ok(best);
             }
-        }
-        if let Some(best) = best {
-            return Ok(best);
         }
     }
     Guess::default().claims(notes)
+}
+
+/// The claims of a guess, to which the names are added that the displays lack, and then the formulas that stand for one
+/// name; `None`, if the guess does not fit the notes.
+fn completed(run: &Run<'_>, notes: &Notes, mut guess: Guess, macros: &Macros) -> Result<Option<Claims>> {
+    let mut best = None;
+    for _ in 0..ROUNDS {
+        let claims = guess.claims(notes)?;
+        let look = |checker: Checker<'_>| {
+            let values = values::values(checker.readings, notes, macros);
+            Ok((missing(checker.readings), foreign(checker.model), values))
+        };
+        let Ok((missing, foreign, values)) = with_checker(run, &claims, notes, look) else { break };
+        best = Some(claims);
+        let is_new = guess.add(&missing);
+        if !guess.release(&foreign) && !is_new && !guess.add_values(&values) {
+            break;
+        }
+    }
+    Ok(best)
 }
 
 /// The coordinates that the Lagrangian of the notes does not contain.
@@ -145,13 +157,16 @@ struct Guess {
 impl Guess {
     fn of(usages: &[Usage], lagrangian: Option<&Name>) -> Guess {
         let mut guess = Guess::default();
-        let is_function = |usage: &Usage| usage.arguments.as_ref().is_some_and(|of| *of != [Name::plain("t")]);
+        // An orbit r(φ) moves as the place does.
+        let is_function = |usage: &Usage| {
+            usage.arguments.as_ref().is_some_and(|of| *of != [Name::plain("t")] && (!usage.moves || of.len() > 1))
+        };
         let is_of_time = |usage: &Usage| usage.arguments.as_ref().is_some_and(|of| *of == [Name::plain("t")]);
         let rolling = lagrangian.and_then(|_| rolling(usages));
         let is_known = |usage: &Usage| match &rolling {
             Some(rolling) if rolling.depends == usage.name => true,
             Some(rolling) if rolling.coordinate == usage.name => false,
-            _ => defined(usage) && !is_of_time(usage),
+            _ => (defined(usage) || usage.given && is_function(usage)) && !is_of_time(usage),
         };
         for usage in usages.iter().filter(|usage| !is_reserved(usage) && !is_known(usage)) {
             let name = usage.name.to_string();
@@ -197,6 +212,33 @@ impl Guess {
         if let Value::Object(group) = group {
             group.insert(name.to_owned(), json!(range));
         }
+    }
+
+    /// The names that a key declares.
+    fn names(&self, role: &str) -> Vec<String> {
+        let group = self.keys.get(role).and_then(Value::as_object);
+        group.into_iter().flat_map(|group| group.keys().cloned()).collect()
+    }
+
+    /// The same without some names of a key.
+    fn without(&self, role: &str, names: &[String]) -> Guess {
+        let mut guess = self.clone();
+        if let Some(group) = guess.keys.get_mut(role).and_then(Value::as_object_mut) {
+            group.retain(|name, _| !names.contains(name));
+        }
+        guess
+    }
+
+    /// Declares formulas that stand for one name; returns whether one of them is new.
+    fn add_values(&mut self, values: &[OneValue]) -> bool {
+        let mut is_new = false;
+        for OneValue { name, moves } in values {
+            if !self.keys.values().any(|group| group.get(name).is_some()) {
+                self.declare("formulas as names", name, if *moves { "varies with time" } else { "constant" });
+                is_new = true;
+            }
+        }
+        is_new
     }
 
     /// Declares names as constants; returns whether one of them is new.
