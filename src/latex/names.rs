@@ -172,7 +172,10 @@ fn is_label(word: &str) -> bool {
 fn prime_marks(sup: &Item) -> Option<u8> {
     match &sup.layout {
         Layout::Command(name) if name == "\\prime" => Some(1),
-        Layout::Group(items) if !items.is_empty() => items.iter().map(prime_marks).sum(),
+        Layout::Group(items) if !items.is_empty() => {
+            let marks = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).map(prime_marks);
+            marks.sum::<Option<u8>>().filter(|marks| *marks > 0)
+        }
         _ => None,
     }
 }

@@ -160,7 +160,7 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// Adds a formula that stands for one name: a number or a vector, as its markup says.
+    /// Adds a formula that stands for one name: a number or a vector.
     fn formula_as_name(&mut self, declaration: &Declaration) -> Result<()> {
         let latex = &declaration.name;
         let items = names::value(&latex.value).ok_or_else(|| {
@@ -168,7 +168,8 @@ impl Builder<'_> {
                 "this can be a mean value \\langle E \\rangle, a name with arguments V(\\vec r), a derivative, a sum or an integral",
             )
         })?;
-        let kind = if values::is_vector(&items) { Kind::Vector } else { Kind::Scalar };
+        let is_vector = matches!(declaration.range.value, Range::Matrix(3, 1));
+        let kind = if is_vector { Kind::Vector } else { Kind::Scalar };
         let moves = declaration.role == Role::VariesWithTime;
         let name = Name::plain(values::text_of(&items));
         let id = self.model.symbols.add(name, kind).ok_or_else(|| {

@@ -27,6 +27,12 @@ use crate::check::unaided::values::{self, Value as OneValue};
 /// How often the displays are read again with the names that were missing.
 const ROUNDS: usize = 8;
 
+/// Letters whose hat marks a direction.
+const DIRECTIONS: [&str; 20] = [
+    "x", "y", "z", "r", "n", "k", "s", "t", "u", "v", "e", "i", "j", "\\rho", "\\theta", "\\phi", "\\varphi",
+    "\\imath", "\\jmath", "\\ell",
+];
+
 /// The claims that are inferred for notes.
 ///
 /// # Errors
@@ -43,7 +49,7 @@ pub(super) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
         let one_less = functions.iter().map(|name| whole.without("functions", std::slice::from_ref(name)));
         let none = (!functions.is_empty()).then(|| whole.without("functions", &functions));
         for guess in std::iter::once(whole.clone()).chain(one_less).chain(none) {
-            if let Some(best) = completed(run, notes, guess, &macros)? {
+            if let Some(best) = completed(run, notes, guess, (&macros, &usages))? {
                 return Ok(best);
             }
         }
@@ -53,22 +59,35 @@ pub(super) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
 
 /// The claims of a guess, to which the names are added that the displays lack, and then the formulas that stand for one
 /// name; `None`, if the guess does not fit the notes.
-fn completed(run: &Run<'_>, notes: &Notes, mut guess: Guess, macros: &Macros) -> Result<Option<Claims>> {
+fn completed(
+    run: &Run<'_>,
+    notes: &Notes,
+    mut guess: Guess,
+    (macros, usages): (&Macros, &[Usage]),
+) -> Result<Option<Claims>> {
     let mut best = None;
+    let directions = hats_are_directions(notes);
     for _ in 0..ROUNDS {
         let claims = guess.claims(notes)?;
         let look = |checker: Checker<'_>| {
-            let values = values::values(checker.readings, notes, macros);
-            Ok((missing(checker.readings), foreign(checker.model), values))
+            let values = values::values(checker.readings, notes, macros, usages);
+            let misshapen = values::misshapen(checker.readings, notes, &checker.model.macros);
+            Ok((missing(checker.readings), foreign(checker.model), values, misshapen))
         };
-        let Ok((missing, foreign, values)) = with_checker(run, &claims, notes, look) else { break };
+        let Ok((missing, foreign, values, misshapen)) = with_checker(run, &claims, notes, look) else { break };
         best = Some(claims);
-        let is_new = guess.add(&missing);
-        if !guess.release(&foreign) && !is_new && !guess.add_values(&values) {
+        let is_new = guess.add(&missing, directions);
+        if !guess.release(&foreign) && !is_new && !guess.add_values(&values) && !guess.reshape(&misshapen) {
             break;
         }
     }
     Ok(best)
+}
+
+/// Whether a hat marks a direction in notes, and no operator.
+fn hats_are_directions(notes: &Notes) -> bool {
+    let operators = ["\\hbar", "\\ket", "\\bra", "\\comm", "[\\hat", "\\rangle", "\\hat H", "\\hat{H}"];
+    !notes.equations.iter().any(|display| operators.iter().any(|mark| display.text.contains(mark)))
 }
 
 /// The coordinates that the Lagrangian of the notes does not contain.
@@ -152,6 +171,8 @@ fn defined(usage: &Usage) -> bool {
 #[derive(Clone, Debug, Default)]
 struct Guess {
     keys: Map<String, Value>,
+    /// The formulas that stand for one name whose shape was changed.
+    reshaped: Vec<String>,
 }
 
 impl Guess {
@@ -232,20 +253,57 @@ impl Guess {
     /// Declares formulas that stand for one name; returns whether one of them is new.
     fn add_values(&mut self, values: &[OneValue]) -> bool {
         let mut is_new = false;
-        for OneValue { name, moves } in values {
+        for OneValue { name, moves, is_vector } in values {
             if !self.keys.values().any(|group| group.get(name).is_some()) {
-                self.declare("formulas as names", name, if *moves { "varies with time" } else { "constant" });
+                let kind = match (moves, is_vector) {
+                    (false, false) => "constant",
+                    (true, false) => "varies with time",
+                    (false, true) => "constant vector",
+                    (true, true) => "vector that varies with time",
+                };
+                self.declare("formulas as names", name, kind);
                 is_new = true;
             }
         }
         is_new
     }
 
+    /// Makes a number of a formula that stands for a vector, or a vector of one that stands for a number, where a display
+    /// does not fit; each once. Returns whether there is one.
+    fn reshape(&mut self, misshapen: &[(usize, String)]) -> bool {
+        let Some(group) = self.keys.get_mut("formulas as names").and_then(Value::as_object_mut) else { return false };
+        let (mut is_one, mut displays) = (false, Vec::new());
+        for (display, name) in misshapen {
+            if displays.contains(display) || self.reshaped.contains(name) {
+                continue;
+            }
+            let other = match group.get(name).and_then(Value::as_str) {
+                Some("constant") => "constant vector",
+                Some("varies with time") => "vector that varies with time",
+                Some("constant vector") => "constant",
+                Some(_) => "varies with time",
+                None => continue,
+            };
+            group.insert(name.clone(), json!(other));
+            displays.push(*display);
+            self.reshaped.push(name.clone());
+            is_one = true;
+        }
+        is_one
+    }
+
     /// Declares names as constants; returns whether one of them is new.
-    fn add(&mut self, missing: &[String]) -> bool {
+    fn add(&mut self, missing: &[String], directions: bool) -> bool {
         let mut is_new = false;
         for name in missing {
             let Some((parsed, _)) = names::parse(name) else { continue };
+            // A direction is that of a vector.
+            let parsed = match parsed.base.strip_prefix("\\hat{").and_then(|inner| inner.strip_suffix('}')) {
+                Some(inner) if directions && DIRECTIONS.contains(&inner) => {
+                    Name { base: format!("\\vec{{{inner}}}"), ..parsed.clone() }
+                }
+                _ => parsed,
+            };
             let name = parsed.to_string();
             let is_known = self.keys.values().any(|group| group.get(&name).is_some());
             if !is_known && !is_reserved_name(&parsed) && !name.starts_with("\\hat") {

@@ -4,8 +4,10 @@
 //! as one. So what the display says about it is known, and what stands inside it is not.
 
 use crate::check::document::unreadable::faults;
+use crate::check::unaided::names::Usage;
+use crate::code::Code;
 use crate::formula::symbols::Name;
-use crate::latex::layout::values::{ends_term, is_d, is_nabla, is_operator, is_value, text_of};
+use crate::latex::layout::values::{ends_term, is_d, is_nabla, is_operator, is_value, is_vector, text_of};
 use crate::latex::layout::{Delimiter, Item, Layout, typeset_items};
 use crate::latex::{Macros, Reading, names};
 use crate::notes::Notes;
@@ -17,24 +19,71 @@ pub(super) struct Value {
     pub name: String,
     /// Whether it may vary with time.
     pub moves: bool,
+    /// Whether it is a vector, as its markup says.
+    pub is_vector: bool,
 }
 
-/// The formulas that may stand for one name, one for each fault of the readings that is no missing name.
-pub(super) fn values(readings: &[Reading], notes: &Notes, macros: &Macros) -> Vec<Value> {
+impl Value {
+    fn of(run: &[Item]) -> Value {
+        Value { name: text_of(run), moves: moves(run), is_vector: is_vector(run) }
+    }
+}
+
+/// The formulas that may stand for one name, one for each fault of the readings that is no missing name, and for each
+/// derivative of what no display gives a formula.
+pub(super) fn values(readings: &[Reading], notes: &Notes, macros: &Macros, usages: &[Usage]) -> Vec<Value> {
     let mut found = Vec::new();
     for (reading, display) in readings.iter().zip(&notes.equations) {
         let Ok(items) = typeset_items(&display.text, macros) else { continue };
         for fault in faults(reading) {
             // A name can be declared by itself, except for the d of a differential.
-            if matches!(&fault.missing, Some(Missing::Name(name)) if name != "d") {
+            if matches!(&fault.missing, Some(Missing::Name(name)) if !["d", "\\mathrm{d}"].contains(&name.as_str())) {
                 continue;
             }
-            if let Some(run) = around(&items, fault.span) {
-                found.push(Value { name: text_of(&run), moves: moves(&run) });
-            }
+            found.extend(around(&items, fault.span).map(|run| Value::of(&run)));
+        }
+        for member in reading.statements.iter().flatten().flat_map(|statement| &statement.members) {
+            member.walk(&mut |part| {
+                if part.is_null()
+                    && let Some(run) = around(&items, part.span)
+                    && is_derivative_of_unknown(&run, usages)
+                {
+                    found.push(Value::of(&run));
+                }
+            });
         }
     }
     found
+}
+
+/// Whether a formula is a derivative of a name for which no display gives a formula.
+fn is_derivative_of_unknown(run: &[Item], usages: &[Usage]) -> bool {
+    let [Item { layout: Layout::Fraction(above, _), .. }] = run else { return false };
+    let mut names = contents(above)[1..].iter().filter_map(|item| names::printed(item, None)).map(|found| found.name);
+    let is_given = |name: &Name| usages.iter().any(|usage| usage.name == *name && usage.given);
+    names.next().is_some_and(|first| !is_given(&first) && !names.any(|name| is_given(&name)))
+}
+
+/// The names of formulas that stand in a display which does not fit the shapes of what stands beside them.
+pub(super) fn misshapen(readings: &[Reading], notes: &Notes, macros: &Macros) -> Vec<(usize, String)> {
+    let mut found = Vec::new();
+    for (at, (reading, display)) in readings.iter().zip(&notes.equations).enumerate() {
+        if faults(reading).any(|fault| fault.code == Code::ShapeMismatch)
+            && let Ok(items) = typeset_items(&display.text, macros)
+        {
+            values_in(&items, &mut |name| found.push((at, name.to_owned())));
+        }
+    }
+    found
+}
+
+fn values_in(items: &[Item], note: &mut dyn FnMut(&str)) {
+    for item in items {
+        if let Layout::Value(name) = &item.layout {
+            note(name);
+        }
+        parts_of(item).into_iter().for_each(|part| values_in(part, note));
+    }
 }
 
 /// Whether a formula may vary with time: a rate or the time stands in it, or it is a mean value, which may stand under d/dt.

@@ -117,22 +117,24 @@ pub(crate) fn is_value(items: &[Item]) -> bool {
                 matches!(delimiter, Delimiter::Angle | Delimiter::Ket | Delimiter::Bra)
             }
             Layout::Scripts { nucleus, sub, .. } => {
-                matches!(nucleus.layout, Layout::Fence(..)) && sub.is_some() && !is_power(only)
+                let holds = matches!(nucleus.layout, Layout::Fence(..)) || is_derivative(nucleus);
+                holds && sub.is_some()
             }
-            Layout::Fraction(above, below) => is_differential(above) && is_differential(below),
-            _ => false,
+            Layout::Environment(name, _) => name == "cases",
+            _ => is_derivative(only),
         },
         [first, .., last] => {
             is_operator(first)
                 || is_nabla(first)
-                || significant.len() == 2 && (is_d(first) || matches!(last.layout, Layout::Fence(Delimiter::Round, _)))
+                || significant.len() == 2
+                    && (is_d(first) || matches!(last.layout, Layout::Fence(Delimiter::Round, _) | Layout::Other('!')))
         }
     }
 }
 
-/// Whether an item is a bracket with nothing but a power on it.
-fn is_power(item: &Item) -> bool {
-    matches!(&item.layout, Layout::Scripts { sub: None, primes: 0, .. })
+/// Whether an item is a quotient of differentials.
+fn is_derivative(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Fraction(above, below) if is_differential(above) && is_differential(below))
 }
 
 /// Whether an item begins what reaches to the end of its term.
@@ -299,6 +301,7 @@ fn is_vector_item(item: &Item) -> bool {
             is_vector(inner)
         }
         Layout::Fraction(above, _) => is_vector(parts(above)),
+        Layout::Environment(_, rows) => rows.iter().flatten().next().is_some_and(|cell| is_vector(cell)),
         _ => false,
     }
 }

@@ -289,10 +289,15 @@ fn declarations(fields: &Fields<'_>, source: &Source) -> Result<Vec<Declaration>
         }
     }
     for (name, value) in fields.pairs("formulas as names")? {
-        let words = &[("constant", Role::Constant), ("varies with time", Role::VariesWithTime)];
-        let role = fields::word(&value, &name.value, words)?;
-        let range = Spanned::new(Range::Any, role.span);
-        declarations.push(Declaration { role: role.value, name, range, is_formula: true });
+        let words = &[
+            ("constant", (Role::Constant, false)),
+            ("varies with time", (Role::VariesWithTime, false)),
+            ("constant vector", (Role::Constant, true)),
+            ("vector that varies with time", (Role::VariesWithTime, true)),
+        ];
+        let Spanned { value: (role, is_vector), span } = fields::word(&value, &name.value, words)?;
+        let range = if is_vector { Range::Matrix(3, 1) } else { Range::Any };
+        declarations.push(Declaration { role, name, range: Spanned::new(range, span), is_formula: true });
     }
     Ok(declarations)
 }
