@@ -76,8 +76,16 @@ fn completed(
         };
         let Ok((missing, foreign, values, misshapen)) = with_checker(run, &claims, notes, look) else { break };
         best = Some(claims);
-        let is_new = guess.add(&missing, directions);
-        if !guess.release(&foreign) && !is_new && !guess.add_values(&values) && !guess.reshape(&misshapen) {
+        // What a display gives a formula is declared only if that display does not become readable otherwise.
+        let is_given = |name: &String| usages.iter().any(|usage| usage.given && usage.name.to_string() == *name);
+        let (given, others): (Vec<String>, Vec<String>) = missing.into_iter().partition(is_given);
+        let is_new = guess.add(&others, directions);
+        let goes_on = guess.release(&foreign)
+            || is_new
+            || guess.add_values(&values)
+            || guess.reshape(&misshapen)
+            || guess.add(&given, directions);
+        if !goes_on {
             break;
         }
     }
@@ -198,7 +206,7 @@ impl Guess {
             }
             let is_vector = ["\\vec{", "\\mathbf{", "\\boldsymbol{", "\\bm{"].iter().any(|mark| name.starts_with(mark));
             let is_argument = usages.iter().any(|other| {
-                other.introduced.is_some() && other.arguments.as_ref().is_some_and(|of| of.contains(&usage.name))
+                other.given && other.arguments.as_ref().is_some_and(|of| of.contains(&usage.name))
             });
             let moves = usage.moves || is_of_time(usage);
             let range = match (is_vector, usage.angle, usage.positive) {
