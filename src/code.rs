@@ -73,6 +73,11 @@ codes! {
     ///
     /// For example, `E = m v` with E declared as an energy. Correct the term, or the declaration under `units`.
     UnitMismatch = "unit-mismatch",
+    /// The dimensions in this display contradict those that all other displays agree on, and one exponent would repair them.
+    ///
+    /// For example, `E^2 = p^2c^2 + m^2c^2` beside `E = \gamma m c^2` and `p = \gamma m v`: c would be a pure number. Notes
+    /// without a claims file only.
+    DimensionsConflict = "dimensions-conflict",
     /// The text is not a unit of the SI.
     ///
     /// For example, `Nm` for `N m`. Write factors with a space between them and one

@@ -15,6 +15,7 @@
 //! other folders of `check`.
 
 mod course;
+mod dimensions;
 #[cfg(feature = "cli")]
 mod draft;
 mod gate;
@@ -125,7 +126,8 @@ pub(super) fn guessed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<D
 /// does not follow by itself is judged once more with that equation as a law.
 fn judged(run: &Run<'_>, claims: &Claims, notes: &Notes, scope: &scope::Scope) -> Result<(Vec<Equation>, Vec<String>)> {
     let (found, laws, inferred) = with_checker(run, claims, notes, |checker| {
-        let found = course::judged(run, &checker, scope)?;
+        let mut found = course::judged(run, &checker, scope)?;
+        dimensions::blame(&checker, scope.carried, &mut found);
         let laws = laws::laws(&checker, &found);
         Ok((found, laws, checker.model.inferred.clone()))
     })?;
