@@ -289,7 +289,7 @@ codes! {
     IntegralDiffers = "integral-differs",
     /// The claim asks for something that the display does not have.
     ///
-    /// For example, `small` for a display without ≈, or `true exactly when` for one without an inequality.
+    /// For example, `"small": "x"` is written for `\sin x = x`, which has no ≈.
     /// Correct the display, or remove the key from the claims file.
     ClaimDoesNotFit = "claim-does-not-fit",
     /// A formula stands alone, without a relation, so it claims nothing.

@@ -215,6 +215,8 @@ impl Checker<'_> {
                     if let Some(cause) = self.cause(fault.missing.as_ref()) {
                         finding.code = Code::DependsOnUnreadable;
                         finding.message = format!("{}; {cause}", fault.message);
+                    } else if let Some(advice) = self.without_a_number(fault.missing.as_ref()) {
+                        finding.message = format!("{}; {advice}", fault.message);
                     }
                     parts.push(self.part(finding, String::new()));
                     continue;
