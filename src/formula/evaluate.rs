@@ -451,7 +451,8 @@ fn call<D: Number>(function: Function, x: D) -> D {
         Function::Arctan => x.atan(),
         Function::Sinh => x.sinh(),
         Function::Cosh => x.cosh(),
-        Function::Tanh => x.tanh(),
+        Function::Tanh => x.hyperbolic_tangent(),
+        Function::Coth => x.hyperbolic_tangent().recip(),
         Function::Exp => x.exp(),
         Function::Ln => x.ln(),
     }

@@ -125,13 +125,14 @@ pub enum Function {
     Sinh,
     Cosh,
     Tanh,
+    Coth,
     Exp,
     Ln,
 }
 
 impl Function {
     /// Every function, with the LaTeX command that names it.
-    pub const ALL: [(Function, &'static str); 14] = [
+    pub const ALL: [(Function, &'static str); 15] = [
         (Function::Sin, "sin"),
         (Function::Cos, "cos"),
         (Function::Tan, "tan"),
@@ -144,6 +145,7 @@ impl Function {
         (Function::Sinh, "sinh"),
         (Function::Cosh, "cosh"),
         (Function::Tanh, "tanh"),
+        (Function::Coth, "coth"),
         (Function::Exp, "exp"),
         (Function::Ln, "ln"),
     ];

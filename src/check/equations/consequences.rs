@@ -27,8 +27,12 @@ impl Checker<'_> {
         let Some(Missing::Name(name)) = missing else { return None };
         let displays = self.notes.equations.iter().zip(self.assigned);
         let mut unread = displays.filter(|(display, claim)| display.id().is_none() && claim.is_none());
-        let (display, _) = unread.find(|(display, _)| name_search::is_a_side(&display.text, name, &self.model.macros))?;
-        Some(format!("line {} has a formula for it, but no number, so it was not read; number it with \\tag", display.line))
+        let (display, _) =
+            unread.find(|(display, _)| name_search::is_a_side(&display.text, name, &self.model.macros))?;
+        Some(format!(
+            "line {} has a formula for it, but no number, so it was not read; number it with \\tag",
+            display.line
+        ))
     }
 
     /// The finding on a display whose claim needs an unreadable display.

@@ -11,7 +11,8 @@ use super::finder::Finder;
 use super::parts::is_big;
 
 /// The groups of functions that authors confuse.
-const FUNCTIONS: [&[&str]; 3] = [&["\\sin", "\\cos", "\\tan"], &["\\cot", "\\tan"], &["\\sinh", "\\cosh", "\\tanh"]];
+const FUNCTIONS: [&[&str]; 4] =
+    [&["\\sin", "\\cos", "\\tan"], &["\\cot", "\\tan"], &["\\sinh", "\\cosh", "\\tanh"], &["\\coth", "\\tanh"]];
 
 impl Finder<'_> {
     /// Slips in an item and in its parts.
