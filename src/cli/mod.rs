@@ -14,12 +14,14 @@ mod explain;
 mod files;
 mod fix;
 mod init;
+mod mark;
 mod mutate;
 mod outcome;
+mod pages;
 mod progress;
 mod read;
 mod schema;
-mod teaching;
+mod system;
 mod terminal;
 
 use std::process::ExitCode;
@@ -30,7 +32,8 @@ use crate::parallel::on_deep_stacks;
 use crate::systems::Registry;
 
 use outcome::Outcome;
-use teaching::{derive, mark, plot, report, watch};
+use pages::{report, watch};
+use system::{derive, plot};
 
 /// Checks the equations in physics notes against what automatic differentiation derives.
 #[derive(Parser)]
