@@ -51,6 +51,8 @@ pub enum Layout {
     Style(String, Box<Item>),
     /// `\text{…}`: its letters, without spaces.
     Text(String),
+    /// A run of items that is declared to be one quantity, as LaTeX.
+    Value(String),
     /// `\begin{name} … \end{name}`: rows of cells.
     Environment(String, Vec<Vec<Vec<Item>>>),
     /// `\\`

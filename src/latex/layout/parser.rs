@@ -92,6 +92,16 @@ impl<'a> Parser<'a> {
             if self.ends(token, until) {
                 break;
             }
+            // `\vec v\,'`: a prime after a thin space belongs to what stands before the space.
+            let is_thin = matches!(token.kind, TokenKind::Space(Space::Thin));
+            if is_thin
+                && !items.is_empty()
+                && self.tokens.get(self.at + 1).is_some_and(|next| next.kind == TokenKind::Prime)
+            {
+                self.next();
+                self.attach_primes(&mut items);
+                continue;
+            }
             let item = self.scripted(false);
             // `{}` sets nothing.
             if item.layout != Layout::Group(Vec::new()) {
@@ -117,6 +127,29 @@ impl<'a> Parser<'a> {
             },
             _ => false,
         }
+    }
+
+    /// Gives the last item the primes that follow.
+    fn attach_primes(&mut self, items: &mut Vec<Item>) {
+        let Some(last) = items.pop() else { return };
+        let (mut marks, mut span) = (0u8, last.span);
+        while let Some(token) = self.peek().filter(|token| token.kind == TokenKind::Prime) {
+            span = span.to(token.span);
+            marks = marks.saturating_add(1);
+            self.next();
+        }
+        let layout = match last.layout {
+            Layout::Scripts { nucleus, sub, sup, primes } => {
+                Layout::Scripts { nucleus, sub, sup, primes: primes.saturating_add(marks) }
+            }
+            other => Layout::Scripts {
+                nucleus: Box::new(Item { layout: other, span: last.span }),
+                sub: None,
+                sup: None,
+                primes: marks,
+            },
+        };
+        items.push(Item { layout, span });
     }
 
     /// An item with the scripts that follow it.
@@ -366,7 +399,16 @@ impl<'a> Parser<'a> {
             | "\\mathring"
             | "\\overleftrightarrow" => Layout::Accent(name.to_owned(), Box::new(self.argument(span))),
             "\\mathbf" | "\\mathrm" | "\\mathbb" | "\\mathcal" | "\\mathfrak" | "\\mathscr" | "\\mathtt" => {
-                Layout::Style(name.to_owned(), Box::new(self.argument(span)))
+                let inner = self.argument(span);
+                // `\mathrm{.}`: a full stop in another font.
+                let mark = match &inner.layout {
+                    Layout::Group(items) => match items.as_slice() {
+                        [Item { layout: mark @ Layout::Other('.' | ',' | ';'), .. }] => Some(mark.clone()),
+                        _ => None,
+                    },
+                    _ => None,
+                };
+                mark.unwrap_or_else(|| Layout::Style(name.to_owned(), Box::new(inner)))
             }
             "\\text" => {
                 let argument = self.argument(span);

@@ -18,6 +18,7 @@ use std::collections::HashMap;
 use crate::code::Code;
 use crate::source::{Fault, Span};
 
+use super::layout::values::Values;
 use super::lexer::{Token, TokenKind, tokens};
 use parameters::Parameter;
 
@@ -31,6 +32,8 @@ const SAVED: char = '\u{0}';
 #[derive(Clone, Debug, Default)]
 pub struct Macros {
     bodies: HashMap<String, Macro>,
+    /// The formulas that stand for one name each.
+    pub(crate) values: Values,
 }
 
 #[derive(Clone, Debug)]
