@@ -358,7 +358,6 @@ impl Differentiator<'_> {
             Function::Sinh => call(Function::Cosh),
             Function::Cosh => call(Function::Sinh),
             Function::Tanh => over(square(call(Function::Cosh))),
-            Function::Coth => negative(over(square(call(Function::Sinh)))),
             Function::Exp => call(Function::Exp),
             Function::Ln => over(self.copy(argument)),
         }

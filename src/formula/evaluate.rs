@@ -452,7 +452,6 @@ fn call<D: Number>(function: Function, x: D) -> D {
         Function::Sinh => x.sinh(),
         Function::Cosh => x.cosh(),
         Function::Tanh => x.hyperbolic_tangent(),
-        Function::Coth => x.hyperbolic_tangent().recip(),
         Function::Exp => x.exp(),
         Function::Ln => x.ln(),
     }

@@ -125,14 +125,13 @@ pub enum Function {
     Sinh,
     Cosh,
     Tanh,
-    Coth,
     Exp,
     Ln,
 }
 
 impl Function {
     /// Every function, with the LaTeX command that names it.
-    pub const ALL: [(Function, &'static str); 15] = [
+    pub const ALL: [(Function, &'static str); 14] = [
         (Function::Sin, "sin"),
         (Function::Cos, "cos"),
         (Function::Tan, "tan"),
@@ -145,7 +144,6 @@ impl Function {
         (Function::Sinh, "sinh"),
         (Function::Cosh, "cosh"),
         (Function::Tanh, "tanh"),
-        (Function::Coth, "coth"),
         (Function::Exp, "exp"),
         (Function::Ln, "ln"),
     ];

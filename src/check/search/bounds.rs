@@ -319,7 +319,6 @@ fn called(function: Function, x: Interval) -> Option<Interval> {
         Function::Arctan => x.rising(f64::atan),
         Function::Sinh => x.rising(f64::sinh),
         Function::Tanh => x.rising(f64::tanh),
-        Function::Coth => one.over(x.rising(f64::tanh)),
         Function::Cosh => x.abs().rising(f64::cosh).intersection(Interval { low: 1.0, ..Interval::POSITIVE }),
         Function::Exp => x.exp(),
         Function::Ln => x.ln(),

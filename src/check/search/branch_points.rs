@@ -123,7 +123,6 @@ fn collect(expr: &Expr, model: &Model, into: &mut Vec<Inside>) {
         }
         Node::Call(Function::Tan | Function::Sec, inner) => add(call(Function::Cos, inner), true),
         Node::Call(Function::Cot | Function::Csc, inner) => add(call(Function::Sin, inner), true),
-        Node::Call(Function::Coth, inner) => add((**inner).clone(), true),
         Node::Quotient(_, under) => add((**under).clone(), true),
         Node::Power(base, exponent) => match fraction(exponent) {
             Some(Ratio { numerator, denominator }) => {

@@ -47,7 +47,7 @@ fn has_exponentials(expr: &Expr, model: &Model) -> bool {
     let own = match &expr.node {
         Node::Power(base, _) if base.node == Node::Euler => true,
         Node::Power(_, exponent) => !exponent.symbols().is_empty(),
-        Node::Call(Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh | Function::Coth, _) => true,
+        Node::Call(Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh, _) => true,
         Node::Symbol { id, .. } => match model.meaning(*id) {
             Some(Meaning::Defined(formula)) => has_exponentials(formula, model),
             _ => false,
@@ -70,7 +70,7 @@ fn overflows(expr: &Expr, state: &SampledState<'_, RunningError>) -> bool {
                 && !value(base).is_some_and(|base| base <= 0.0)
         }
         Node::Call(Function::Exp, _) => value(expr).is_some_and(|value| !value.is_finite() || value < SMALLEST),
-        Node::Call(Function::Sinh | Function::Cosh | Function::Tanh | Function::Coth, inner) => {
+        Node::Call(Function::Sinh | Function::Cosh | Function::Tanh, inner) => {
             too_large() && value(inner).is_some_and(f64::is_finite)
         }
         Node::Power(base, _) => too_large() && value(base).is_some_and(|base| base.is_finite() && base != 0.0),

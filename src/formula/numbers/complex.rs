@@ -72,7 +72,6 @@ impl<D: Number> Complex<D> {
             Function::Cosh => Complex { re: x.cosh() * y.cos(), im: x.sinh() * y.sin() },
             Function::Tan => self.call(Function::Sin)?.over(self.call(Function::Cos)?),
             Function::Tanh => self.call(Function::Sinh)?.over(self.call(Function::Cosh)?),
-            Function::Coth => self.call(Function::Cosh)?.over(self.call(Function::Sinh)?),
             _ => return None,
         })
     }

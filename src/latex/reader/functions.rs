@@ -131,7 +131,7 @@ impl Reader<'_> {
 
     /// Numbers, then symbols up to the first angle or dotted symbol; or a single fraction or root.
     fn gather(&self, function: Function, head: Span, items: &[Item], start: usize) -> Read<Run> {
-        let is_hyperbolic = matches!(function, Function::Sinh | Function::Cosh | Function::Tanh | Function::Coth);
+        let is_hyperbolic = matches!(function, Function::Sinh | Function::Cosh | Function::Tanh);
         let mut run =
             Run { end: start, numbers: 0, symbols: Vec::new(), stands_alone: false, is_rate: false, is_hyperbolic };
         while let Some(item) = items.get(run.end) {
