@@ -106,10 +106,14 @@ pub fn system(run: &Run<'_>, notes: &Notes) -> Result<Option<Arc<System>>> {
 pub fn system_of(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Option<Arc<System>>> {
     with_checker(run, claims, notes, |checker| {
         let model = checker.model;
-        let is_coefficient = |at: &usize| model.symbols.entry(model.constants[*at].symbol).coefficient.is_some();
-        if model.printed_lagrangian.is_some() && model.parameters.iter().any(is_coefficient) {
-            return Err(Error::new("the Lagrangian of the notes contains a function without a formula")
-                .help("write its formula in the Lagrangian, such as -k/r for V(r)"));
+        let function = |at: &usize| model.symbols.entry(model.constants[*at].symbol).coefficient.as_ref();
+        let unknown = model.parameters.iter().find_map(function).filter(|_| model.printed_lagrangian.is_some());
+        if let Some(function) = unknown {
+            let name = crate::formula::text::plain(&function.name.to_string());
+            return Err(Error::new(format!(
+                "the Lagrangian of the notes contains {name}, a function without a formula"
+            ))
+            .help(format!("write a formula in the place of {name}, such as -k/r for a potential V(r)")));
         }
         Ok(model.system.clone())
     })
@@ -225,7 +229,7 @@ fn document(
         claims: None,
         is_guessed: true,
         source: notes.source.clone(),
-        equations,
+        equations: equations.into_iter().map(Equation::with_one_proposal).collect(),
         sentences,
         unnumbered: 0,
         inferred,
