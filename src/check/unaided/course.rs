@@ -22,6 +22,7 @@ use crate::check::unaided::signs::{self, Positive};
 use crate::check::unaided::solutions;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
+use crate::code::Code;
 use crate::formula::{Expr, SymbolId, text};
 use crate::notes::claims::Claim;
 
@@ -156,6 +157,10 @@ impl Course<'_, '_> {
         let none = Claim::default();
         let claim = self.checker.assigned[at].unwrap_or(&none);
         let found = self.by_itself(at)?;
+        // Numbers are wrong by themselves, whatever the letters mean.
+        if found.finding.code == Code::NumbersDiffer {
+            return Ok(found);
+        }
         if found.finding.verdict == Verdict::Refuted
             && gate::lost_derivative(&self.checker.readings[at], &self.checker.notes.equations[at])
         {

@@ -1,7 +1,7 @@
 //! The typeset structure of a formula: groups, fences, fractions, scripts, accents, rows. Nothing has a meaning yet.
 //!
 //! `item` has the layout tree, `parser` builds it from tokens, `text` from a text with macros; `delimiters` and
-//! `angles` pair what opens and closes, and `print` writes items as LaTeX again.
+//! `angles` pair what opens and closes, `units` finds the units after numbers, and `print` writes items as LaTeX again.
 //! [`layout`] cannot fail; what it does not understand becomes a [`Layout::Fault`] at its place.
 //!
 //! This folder may import the lexer, the macros and the normalizer of [`super`].
@@ -23,6 +23,7 @@ mod print;
 mod tests;
 #[cfg(feature = "notes")]
 mod text;
+mod units;
 
 pub use item::{Delimiter, Item, Layout};
 pub use parser::layout;
@@ -30,3 +31,4 @@ pub use parser::layout;
 pub(crate) use print::latex;
 #[cfg(feature = "notes")]
 pub(crate) use text::typeset_items;
+pub use units::Units;

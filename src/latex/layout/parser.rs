@@ -10,6 +10,7 @@ use super::super::lexer::{Space, Token, TokenKind};
 use super::angles::{bars_before_angle, bra_length, is_lone_bar};
 use super::delimiters::{closing, glyph, is_plain_bar, opening};
 use super::item::{Delimiter, Item, Layout, is_wide, letters};
+use super::units;
 
 /// The most levels of groups inside groups; equations in notes have far fewer.
 const DEEPEST: usize = 64;
@@ -33,7 +34,7 @@ pub fn layout(tokens: &[Token], length: usize) -> Vec<Item> {
         items.push(fault(token.span, "this closes a group that was never opened"));
         items.extend(parser.list(Until::End));
     }
-    items
+    units::settled(items)
 }
 
 fn fault(span: Span, message: impl Into<String>) -> Item {
@@ -365,12 +366,17 @@ impl<'a> Parser<'a> {
             | "\\cancel"
             | "\\mathring"
             | "\\overleftrightarrow" => Layout::Accent(name.to_owned(), Box::new(self.argument(span))),
-            "\\mathbf" | "\\mathrm" | "\\mathbb" | "\\mathcal" | "\\mathfrak" | "\\mathscr" | "\\mathtt" => {
+            "\\mathrm" => {
+                let argument = self.argument(span);
+                return self.with_units(Layout::Style(name.to_owned(), boxed(argument.clone())), &argument, span);
+            }
+            "\\mathbf" | "\\mathbb" | "\\mathcal" | "\\mathfrak" | "\\mathscr" | "\\mathtt" => {
                 Layout::Style(name.to_owned(), Box::new(self.argument(span)))
             }
             "\\text" => {
                 let argument = self.argument(span);
-                Layout::Text(letters(&argument))
+                let layout = Layout::Text(letters(&argument));
+                return self.with_units(layout, &argument, span);
             }
             "\\tag" | "\\label" => {
                 self.argument(span);
@@ -407,6 +413,16 @@ impl<'a> Parser<'a> {
             _ => Layout::Command(name.to_owned()),
         };
         Item { layout, span: span.to(Span::at(self.previous_end())) }
+    }
+
+    /// An upright word, which may be units.
+    fn with_units(&self, layout: Layout, argument: &Item, span: Span) -> Item {
+        let is_text = matches!(layout, Layout::Text(_));
+        let item = Item { layout, span: span.to(Span::at(self.previous_end())) };
+        match units::candidate(&item, argument, is_text) {
+            Some(found) => Item { layout: Layout::Unit(found), span: item.span },
+            None => item,
+        }
     }
 
     fn left(&mut self, span: Span) -> Item {

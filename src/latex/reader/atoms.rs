@@ -45,6 +45,7 @@ impl Reader<'_> {
                 Err(Fault::new(span, "this subscript or superscript has no base"))
             }
             Layout::Fault(fault) => Err(fault.clone()),
+            Layout::Unit(units) => self.units(units, span),
             Layout::Number(digits) => {
                 if digits.parse::<f64>().is_ok_and(f64::is_finite) {
                     Ok(Expr::new(Node::Number(digits.clone()), span))
