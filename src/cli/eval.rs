@@ -26,22 +26,32 @@ pub struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     match entries(arguments) {
-        Ok(entries) => Outcome::done(match (arguments.format, &entries[..]) {
+        Ok((entries, unit)) => Outcome::done(match (arguments.format, &entries[..]) {
             (Format::Text, entries) => {
-                entries.iter().map(|entry| format!("{entry:.16e}")).collect::<Vec<_>>().join(" ") + "\n"
+                let entries = entries.iter().map(|entry| format!("{entry:.16e}"));
+                entries.chain(unit).collect::<Vec<_>>().join(" ") + "\n"
             }
-            (Format::Json, [value]) => format!("{:#}\n", json!({ "schema": 1, "value": value })),
-            (Format::Json, entries) => format!("{:#}\n", json!({ "schema": 1, "value": entries })),
+            (Format::Json, entries) => {
+                let value = match entries {
+                    [value] => json!(value),
+                    entries => json!(entries),
+                };
+                let mut found = json!({ "schema": 1, "value": value });
+                if let Some(unit) = unit {
+                    found["unit"] = json!(unit);
+                }
+                format!("{found:#}\n")
+            }
         }),
         Err(error) => Outcome::failed(&error, arguments.format, screen),
     }
 }
 
-/// The value of the formula: one number, or the entries of a vector or a matrix.
-fn entries(arguments: &Arguments) -> Result<Vec<f64>> {
+/// The value of the formula: one number, or the entries of a vector or a matrix; and its unit, if units stand in it.
+fn entries(arguments: &Arguments) -> Result<(Vec<f64>, Option<String>)> {
     let formula = Formula::read(&arguments.formula)?;
     let values = arguments.values.iter().map(|pair| setting(pair)).collect::<Result<Vec<_>>>()?;
-    formula.entries(&values)
+    Ok((formula.entries(&values)?, formula.unit()?))
 }
 
 /// A name and its value, from `NAME=VALUE`.

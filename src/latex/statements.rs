@@ -6,7 +6,8 @@
 
 use crate::formula::shape::{self, Shape, Type};
 use crate::formula::symbols::{Kind, SymbolId, Symbols};
-use crate::formula::tree::{Expr, IndexId, Node, Relation, Sign, Statement};
+use crate::formula::tree::{Expr, IndexId, Relation, Sign, Statement};
+use crate::formula::units::in_si::has_units;
 use crate::source::{Fault, Span};
 
 use super::definitions::{DefinedSymbol, New, Place, Unknown};
@@ -269,9 +270,7 @@ impl Piece<'_> {
 
 /// Whether a formula is a number with a unit.
 fn is_quantity(formula: &Expr) -> bool {
-    let mut has_unit = false;
-    formula.walk(&mut |part| has_unit |= matches!(part.node, Node::Unit(_)));
-    has_unit && formula.symbols().is_empty()
+    has_units(formula) && formula.symbols().is_empty()
 }
 
 /// Without declarations: a name that equals a complex number is one.

@@ -13,6 +13,8 @@
 #[cfg(feature = "notes")]
 pub mod check;
 #[cfg(feature = "notes")]
+pub mod in_si;
+#[cfg(feature = "notes")]
 pub mod inference;
 pub mod parse;
 pub mod printed;

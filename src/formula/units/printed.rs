@@ -180,6 +180,18 @@ impl Unit {
         format!("{prefix}{}", UNITS[self.place].symbol)
     }
 
+    /// The name in English with its prefix; the symbol of a unit whose name is no word.
+    pub fn spelling(self) -> String {
+        let unit = &UNITS[self.place];
+        let is_word = unit.name.bytes().all(|byte| byte.is_ascii_alphabetic()) && !self.is_sign();
+        match (is_word, self.prefix) {
+            (true, Some(at)) => format!("{}{}", PREFIXES[at].1, unit.name),
+            (true, None) => unit.name.to_owned(),
+            _ if unit.symbol == "%" => "\\%".to_owned(),
+            _ => self.symbol(),
+        }
+    }
+
     /// Whether a size is one of quantum mechanics, where authors leave out c and ħ.
     pub fn is_natural(self) -> bool {
         UNITS[self.place].symbol == "eV"

@@ -250,7 +250,10 @@ impl<'a> Parser<'a> {
         let mut end = span.end;
         while !single_digit && let Some(token) = self.peek() {
             match token.kind {
-                TokenKind::Digit(c) if token.span.start == end && !(c == '.' && digits.contains('.')) => {
+                // The digits that a macro writes have one place.
+                TokenKind::Digit(c)
+                    if (token.span.start == end || token.span == span) && !(c == '.' && digits.contains('.')) =>
+                {
                     digits.push(c);
                     end = token.span.end;
                     self.next();

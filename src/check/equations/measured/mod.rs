@@ -11,6 +11,7 @@ mod natural;
 mod quantity;
 
 use crate::code::Code;
+use crate::formula::units::in_si::has_units;
 use crate::formula::units::{Dimension, UnitCheck};
 use crate::formula::{Expr, Node, Relation, Statement, text};
 use crate::notes::claims::Claim;
@@ -22,7 +23,7 @@ use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-use quantity::{Printed, Quantity, Trouble, has_decimals, has_units, quantity};
+use quantity::{Printed, Quantity, Trouble, has_decimals, quantity};
 
 /// The relative distance of two results that are equal: authors round in steps, and take 3.14 for π.
 const STEPS: f64 = 0.005;
@@ -173,7 +174,7 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
     let size = a.value.abs().max(b.value.abs());
     let half = printed.iter().flatten().map(Printed::half_a_digit).fold(EQUAL * size, f64::max);
     if off <= half * (1.0 + EQUAL) {
-        let about = "rounded numbers are compared";
+        let about = "rounded numbers";
         return context.verified("the numbers agree to the printed digits", about);
     }
     if is_zero(&a) || is_zero(&b) {
@@ -194,7 +195,7 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
     let computed = in_unit(computed, shown, context);
     match is_apart {
         true => {
-            let printed = in_unit(if printed[1].is_some() { b.value } else { a.value }, shown, context);
+            let printed = text::formula(if printed[1].is_some() { right } else { left }, &context.model.symbols);
             let message = format!("the numbers give {computed}, and {printed} is printed");
             context.finding(Code::NumbersDiffer, Verdict::Refuted, message)
         }
@@ -237,12 +238,16 @@ fn in_si(quantity: &Quantity) -> String {
 
 /// A value in the unit of a printed result.
 fn in_unit(value: f64, printed: &Printed<'_>, context: &Context<'_>) -> String {
-    let rest: Vec<String> = printed.rest.iter().map(|part| text::formula(part, &context.model.symbols)).collect();
-    let join = if printed.rest.first().is_some_and(|first| quantity::is_power_of_ten(first)) { "·" } else { " " };
-    match rest.is_empty() {
-        true => digits(value / printed.scale),
-        false => format!("{}{join}{}", digits(value / printed.scale), rest.join(" ")),
+    let (powers, units): (Vec<&Expr>, Vec<&Expr>) =
+        printed.rest.iter().copied().partition(|part| quantity::is_power_of_ten(part));
+    let power = powers.iter().filter_map(|part| quantity(part).ok()).fold(1.0, |all, part| all * part.value);
+    let mut shown = digits(value / printed.scale * power);
+    for unit in units {
+        let is_sign = matches!(&unit.node, Node::Unit(unit) if unit.is_sign());
+        let unit = text::formula(unit, &context.model.symbols);
+        shown.push_str(&if is_sign { unit } else { format!("·{unit}") });
     }
+    shown
 }
 
 /// A number with four digits that count.

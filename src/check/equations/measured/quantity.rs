@@ -34,13 +34,6 @@ pub(super) enum Trouble {
     NoValue,
 }
 
-/// Whether a formula has units in it.
-pub(super) fn has_units(expr: &Expr) -> bool {
-    let mut found = false;
-    expr.walk(&mut |part| found |= matches!(part.node, Node::Unit(_)));
-    found
-}
-
 /// Whether a formula has a unit for which this holds.
 pub(super) fn any_unit(expr: &Expr, is_it: impl Fn(Unit) -> bool) -> bool {
     let mut found = false;

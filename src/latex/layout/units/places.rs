@@ -144,7 +144,7 @@ impl Settler {
         let mut at = 0;
         while at < items.len() {
             if follows_quantity
-                && let Some((units, next)) = self.run(items, at)
+                && let Some((units, next)) = self.run(items, at, false)
                 && !is_applied(&items[next..])
             {
                 at = next;
@@ -206,13 +206,14 @@ impl Settler {
         Item { layout, span: item.span }
     }
 
-    /// The units that begin at a place, perhaps after thin spaces or with a slash, and where they end.
-    fn run(&self, items: &[Item], from: usize) -> Option<(Units, usize)> {
+    /// The units that begin at a place, perhaps after thin spaces or with a slash, and where they end. `is_alone` says that
+    /// nothing but units may stand there.
+    fn run(&self, items: &[Item], from: usize, is_alone: bool) -> Option<(Units, usize)> {
         let mut found = Units::none();
         let mut end = from;
         loop {
             let mut at = end + items[end..].iter().take_while(|item| is_thin(item)).count();
-            let is_apart = at > end || from > 0 && is_thin(&items[from - 1]);
+            let is_apart = is_alone || at > end || from > 0 && is_thin(&items[from - 1]);
             let mut by_slash = false;
             match items.get(at).map(|item| &item.layout) {
                 Some(Layout::Other('/')) => {
@@ -245,7 +246,7 @@ impl Settler {
 
     /// The units that are all of some items.
     fn whole(&self, items: &[Item]) -> Option<Units> {
-        let (units, end) = self.run(items, 0)?;
+        let (units, end) = self.run(items, 0, true)?;
         items[end..].iter().all(is_thin).then_some(units)
     }
 
@@ -374,14 +375,23 @@ fn letter_of(item: &Item) -> Option<char> {
 
 /// Puts units after the number before them. After a slash that stands behind a unit, both are one factor:
 /// `10\,\text{m}/2\,\text{s}`. So are a number and its sign, as in `\sin 30°`.
-fn attach(out: &mut Vec<Item>, units: Units) {
+fn attach(out: &mut Vec<Item>, mut units: Units) {
     let span = match (units.plain.first(), units.plain.last()) {
         (Some(first), Some(last)) => first.span.to(last.span),
         _ => Span::default(),
     };
     let is_sign = matches!(units.factors.as_slice(), [(unit, 1)] if unit.is_degree());
-    let unit = Item { layout: Layout::Unit(units), span };
     let significant: Vec<usize> = (0..out.len()).filter(|at| !is_thin(&out[*at])).collect();
+    if let [.., before, number] = significant.as_slice()
+        && matches!(out[*before].layout, Layout::Unit(_))
+    {
+        let place = out[*number].span.to(span);
+        units.fault = Some(
+            Fault::ambiguous(place, "two quantities side by side may be a sum or a product: 5 min 30 s")
+                .help("write + or \\cdot between them"),
+        );
+    }
+    let unit = Item { layout: Layout::Unit(units), span };
     let is_divided = matches!(significant.as_slice(), [.., before, slash, _]
         if out[*slash].layout == Layout::Other('/') && has_unit(&out[*before]));
     match significant.last() {
