@@ -92,7 +92,7 @@ fn without_values(items: Vec<Item>) -> (Vec<Item>, Vec<Name>) {
         let has_names = |side: &[Item]| {
             let mut inside = Vec::new();
             walk(side, Place::default(), 0, &mut inside);
-            !inside.is_empty()
+            inside.iter().any(|usage| !["\\pi", "e"].contains(&usage.name.base.as_str()))
         };
         let mut rest = sides.peekable();
         rest.peek()?;

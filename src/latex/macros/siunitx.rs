@@ -55,10 +55,16 @@ pub(super) fn number(digits: &[Token], span: Span) -> Result<Vec<Token>, Fault> 
         match &token.kind {
             TokenKind::Space(_) => {}
             TokenKind::Other(',') => found.push(Token { kind: TokenKind::Digit('.'), span: token.span }),
-            TokenKind::Digit(_) | TokenKind::Other('-' | '+') | TokenKind::Open | TokenKind::Close | TokenKind::Super => {
+            TokenKind::Digit(_)
+            | TokenKind::Other('-' | '+')
+            | TokenKind::Open
+            | TokenKind::Close
+            | TokenKind::Super => {
                 found.push(token.clone());
             }
-            TokenKind::Command(name) if ["\\pm", "\\pi", "\\times", "\\cdot", "\\frac", "\\sqrt"].contains(&name.as_str()) => {
+            TokenKind::Command(name)
+                if ["\\pm", "\\pi", "\\times", "\\cdot", "\\frac", "\\sqrt"].contains(&name.as_str()) =>
+            {
                 found.push(token.clone());
             }
             _ => {
@@ -142,8 +148,7 @@ fn named(inner: Vec<Token>, span: Span) -> Result<Vec<Token>, Fault> {
             }
         }
     }
-    let text: String =
-        factors.iter().map(|(name, exponent)| format!("\\,\\text{{{name}}}^{{{exponent}}}")).collect();
+    let text: String = factors.iter().map(|(name, exponent)| format!("\\,\\text{{{name}}}^{{{exponent}}}")).collect();
     Ok(with_place(&text, span).collect())
 }
 
@@ -174,7 +179,10 @@ mod tests {
         for (short, long) in [
             ("\\SI{9.8}{m/s^2}", "9.8\\,\\mathrm{m/s^2}"),
             ("\\qty{1.5e-3}{kg.m^2}", "1.5\\cdot 10^{-3}\\,\\mathrm{kg\\cdot m^2}"),
-            ("\\SI[per-mode=symbol]{2}{\\kilo\\metre\\per\\second\\squared}", "2\\,\\text{kilometre}^{1}\\,\\text{second}^{-2}"),
+            (
+                "\\SI[per-mode=symbol]{2}{\\kilo\\metre\\per\\second\\squared}",
+                "2\\,\\text{kilometre}^{1}\\,\\text{second}^{-2}",
+            ),
             ("\\qty{2}{\\km\\per\\square\\s}", "2\\,\\text{kilometre}^{1}\\,\\text{second}^{-2}"),
             ("\\SI{2,5}{\\uF}", "2.5\\,\\text{microfarad}^{1}"),
             ("5 \\unit{\\joule}", "5 \\,\\text{joule}^{1}"),
@@ -183,7 +191,9 @@ mod tests {
             assert_eq!(kinds(short), kinds(long), "{short}");
         }
         // must-fail cases: another scale, an uncertainty, what is no unit, an argument that is missing
-        for broken in ["\\SI{25}{\\celsius}", "\\SI{2.5(3)}{m}", "\\SI{2}{\\apples}", "\\SI{2}", "\\unit", "\\SI{2}{\\squared}"] {
+        for broken in
+            ["\\SI{25}{\\celsius}", "\\SI{2.5(3)}{m}", "\\SI{2}{\\apples}", "\\SI{2}", "\\unit", "\\SI{2}{\\squared}"]
+        {
             assert!(Macros::default().expand(tokens(broken)).is_err(), "{broken}");
         }
     }

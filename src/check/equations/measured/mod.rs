@@ -5,10 +5,12 @@
 //! a little more is allowed. What lies between "agrees" and "wrong" is not decided.
 //!
 //! A quantity beside a letter, `m = 2.0\,\text{kg}`, gives the letter a value in an example, and says nothing about it
-//! elsewhere: it is no definition, and no premise. Numbers that are put into a formula are not compared with it.
+//! elsewhere: it is no definition, and no premise. Numbers that are put into a formula must have its shape, each letter one
+//! value; where they have another one, nothing is said about them.
 
 mod natural;
 mod quantity;
+mod substitution;
 
 use crate::code::Code;
 use crate::formula::units::in_si::has_units;
@@ -65,7 +67,7 @@ impl Checker<'_> {
                 Some(undecided(context, "numbers with ± are not compared"))
             }
             ([true, true], _) => Some(judged(left, right, is_approximate, context)),
-            ([false, true], [false, true]) | ([true, false], [true, false]) => {
+            ([false, true], [_, true]) | ([true, false], [true, _]) => {
                 let (formula, printed) = if is_number[1] { (0, right) } else { (1, left) };
                 Some(self.value(&statement.members[at + formula], printed, context))
             }
@@ -95,11 +97,22 @@ impl Checker<'_> {
             return found;
         }
         let shown = text::formula(formula, &self.model.symbols);
-        let message = match formula.as_plain_symbol() {
-            Some(_) => format!("gives {shown} a value"),
-            None => format!("puts numbers into {shown}, which were not compared with it"),
-        };
-        context.finding(Code::Introduced, Verdict::Definition, message)
+        if formula.as_plain_symbol().is_some() {
+            return context.finding(Code::Introduced, Verdict::Definition, format!("gives {shown} a value"));
+        }
+        match substitution::found(formula, printed) {
+            Some(values) => {
+                let name = |id| text::plain(&self.model.name(id));
+                let shown_value = |value: &Expr| text::formula(value, &self.model.symbols);
+                let values: Vec<String> =
+                    values.iter().map(|(id, value)| format!("{} = {}", name(*id), shown_value(value))).collect();
+                context.finding(Code::Introduced, Verdict::Definition, format!("puts in {}", values.join(", ")))
+            }
+            None => {
+                let message = format!("numbers stand for {shown} here, and were not compared with it");
+                context.finding(Code::Assumed, Verdict::Assumed, message)
+            }
+        }
     }
 
     /// A formula with the values of the names that formulas of numbers define.
@@ -172,7 +185,12 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
     let printed = [Printed::of(left), Printed::of(right)];
     let off = (a.value - b.value).abs();
     let size = a.value.abs().max(b.value.abs());
-    let half = printed.iter().flatten().map(Printed::half_a_digit).fold(EQUAL * size, f64::max);
+    // Of 250 after ≈ the tens may be the last digit.
+    let half_a_digit = |printed: &Printed<'_>| match is_approximate {
+        true => 0.5 * printed.digit(),
+        false => printed.half_a_digit(),
+    };
+    let half = printed.iter().flatten().map(half_a_digit).fold(EQUAL * size, f64::max);
     if off <= half * (1.0 + EQUAL) {
         let about = "rounded numbers";
         return context.verified("the numbers agree to the printed digits", about);
