@@ -6,7 +6,7 @@
 use crate::formula::symbols::Name;
 use crate::formula::tree::Sign;
 
-use super::layout::{Delimiter, Item, Layout, layout};
+use super::layout::{Delimiter, Item, Layout, layout, values};
 use super::lexer::tokens;
 use super::normalize::normalized;
 use super::overdots;
@@ -27,6 +27,7 @@ pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
     match &item.layout {
         Layout::Letter(c) => Some(plain(c.to_string())),
         Layout::Command(command) if is_letter(command) => Some(plain(command.clone())),
+        Layout::Value(latex) => Some(plain(latex.clone())),
         Layout::Group(items) => match items.as_slice() {
             [single] => printed(single, branch),
             _ => None,
@@ -78,10 +79,19 @@ pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
     }
 }
 
+/// The items of a formula that may stand for one name, such as `\langle E \rangle`; `None` for a name and for anything else.
+pub(crate) fn value(text: &str) -> Option<Vec<Item>> {
+    let items = layout(&normalized(tokens(text)), text.len());
+    (parse_name(&items).is_none() && values::is_value(&items)).then_some(items)
+}
+
 /// The name that a whole text is, as in a claims file or on a command line, with the number of its overdots.
 pub fn parse(text: &str) -> Option<(Name, u8)> {
-    let items = layout(&normalized(tokens(text)), text.len());
-    let item = match items.as_slice() {
+    parse_name(&layout(&normalized(tokens(text)), text.len()))
+}
+
+fn parse_name(items: &[Item]) -> Option<(Name, u8)> {
+    let item = match items {
         [only] => only,
         [difference, rest] => {
             let Layout::Command(command) = &difference.layout else { return None };
@@ -162,7 +172,10 @@ fn is_label(word: &str) -> bool {
 fn prime_marks(sup: &Item) -> Option<u8> {
     match &sup.layout {
         Layout::Command(name) if name == "\\prime" => Some(1),
-        Layout::Group(items) if !items.is_empty() => items.iter().map(prime_marks).sum(),
+        Layout::Group(items) if !items.is_empty() => {
+            let marks = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).map(prime_marks);
+            marks.sum::<Option<u8>>().filter(|marks| *marks > 0)
+        }
         _ => None,
     }
 }

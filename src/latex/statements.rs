@@ -57,9 +57,7 @@ fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
         infer(&items, symbols);
     }
     let mut pieces = pieces(&items, symbols.is_abstract());
-    if symbols.open {
-        without_ranges(&mut pieces);
-    }
+    without_ranges(&mut pieces);
     if pieces.is_empty() {
         let fault = Fault::new(Span::new(0, text.len()), "this display is empty");
         reading.statements.push(Err(fault));
@@ -100,27 +98,45 @@ fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
     reading
 }
 
-/// Leaves out the range of an index beside other statements, `k = 1, \dots, n`, which states nothing.
+/// Leaves out the range of an index beside other statements, `k = 1, \dots, n` or `n = 1, 2, 3`, which states nothing.
 fn without_ranges(pieces: &mut Vec<Piece<'_>>) {
-    let is_dots = |piece: &Piece<'_>| {
-        let mut items = piece.links.iter().flat_map(|link| &link.items);
-        matches!((items.next(), items.next()), (Some(Item { layout: Layout::Command(name), .. }), None) if name == "\\dots")
-    };
-    let counts = |piece: &Piece<'_>| {
-        piece.links.len() == 2 && piece.links[1].items.iter().all(|item| matches!(item.layout, Layout::Number(_)))
-    };
-    while let Some(dots) = pieces.iter().position(is_dots) {
-        let Some(mut first) = dots.checked_sub(1) else { return };
-        while first > 0 && pieces[first].links.len() == 1 {
-            first -= 1;
+    let mut first = 1;
+    while first < pieces.len() {
+        match range_length(&pieces[first..]) {
+            Some(length) => drop(pieces.drain(first..first + length)),
+            None => first += 1,
         }
-        let is_range =
-            first > 0 && counts(&pieces[first]) && pieces.get(dots + 1).is_some_and(|last| last.links.len() == 1);
-        if !is_range {
-            return;
-        }
-        pieces.drain(first..=dots + 1);
     }
+}
+
+/// The number of pieces of the range that begins here: whole numbers in their order, or dots, which a last value may follow.
+fn range_length(pieces: &[Piece<'_>]) -> Option<usize> {
+    let only = |items: &[&Item]| match items {
+        [Item { layout: Layout::Number(digits), .. }] => digits.parse::<u32>().ok(),
+        _ => None,
+    };
+    let [name, value] = pieces.first()?.links.as_slice() else { return None };
+    let is_index = matches!(name.items.as_slice(), [Item { layout: Layout::Letter(_), .. }]);
+    let mut last = only(&value.items).filter(|_| is_index)?;
+    let mut length = 1;
+    let mut has_dots = false;
+    for piece in &pieces[1..] {
+        let [link] = piece.links.as_slice() else { break };
+        let is_dots = matches!(link.items.as_slice(), [Item { layout: Layout::Command(name), .. }] if name == "\\dots");
+        let next = only(&link.items);
+        match (has_dots, next) {
+            (false, _) if is_dots => has_dots = true,
+            (false, Some(number)) if number == last + 1 => last = number,
+            // `\dots, n`
+            (true, _) => {
+                length += 1;
+                break;
+            }
+            _ => break,
+        }
+        length += 1;
+    }
+    (has_dots || length > 1).then_some(length)
 }
 
 fn has_branch(item: &&Item) -> bool {

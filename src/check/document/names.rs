@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use crate::code::Code;
 use crate::formula::SymbolId;
+use crate::formula::symbols::Name;
 use crate::latex::names;
 use crate::notes::claims::{Claim, Claims, Spanned};
 use crate::notes::document::Numbered;
@@ -63,6 +64,8 @@ pub(crate) fn is_wrong(equation: &Equation) -> bool {
 /// A symbol named in the claims file.
 pub(crate) fn symbol(claims: &Claims, model: &Model, latex: &Spanned<String>) -> Result<SymbolId> {
     let name = names::parse(&latex.value).filter(|(_, dots)| *dots == 0).map(|(name, _)| name);
+    // A formula that stands for one name is written out.
+    let name = name.or_else(|| Some(Name::plain(latex.value.clone())));
     let found = name.as_ref().and_then(|name| model.symbols.find(name));
     found.map(|(id, _)| id).ok_or_else(|| {
         let error = Error::at(&claims.source, latex.span, format!("there is no symbol {}", latex.value))

@@ -187,6 +187,7 @@ impl<'p> World<'p> {
         };
         let span = self.claims.notes.span;
         self.claims.declarations.push(Declaration {
+            is_formula: false,
             role: if moves { Role::VariesWithTime } else { Role::Constant },
             name: Spanned::new(shown, span),
             range: Spanned::new(range, span),

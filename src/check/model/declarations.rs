@@ -4,7 +4,10 @@ use crate::check::model::builder::{Builder, plain};
 use crate::check::model::meaning::{
     Continuum, Frame, FrameQuantity, Meaning, Piece, Quantity, Rigid, Variable, is_angle,
 };
+use crate::formula::symbols::Name;
 use crate::formula::{Expr, Index, Kind, Node, SymbolId};
+use crate::latex::layout::values;
+use crate::latex::names;
 use crate::notes::claims;
 use crate::notes::claims::{Axes, Count, Declaration, Range, Role, Spanned};
 use crate::source::Span;
@@ -66,6 +69,7 @@ impl Builder<'_> {
             match declaration.role {
                 Role::Index => {}
                 Role::Function => {}
+                _ if declaration.is_formula => self.formula_as_name(declaration)?,
                 _ => self.variable(declaration)?,
             }
         }
@@ -153,6 +157,30 @@ impl Builder<'_> {
             Role::Constant => self.model.constants.push(variable),
             _ => self.model.varying.push(variable),
         }
+        Ok(())
+    }
+
+    /// Adds a formula that stands for one name: a number or a vector.
+    fn formula_as_name(&mut self, declaration: &Declaration) -> Result<()> {
+        let latex = &declaration.name;
+        let items = names::value(&latex.value).ok_or_else(|| {
+            self.error(latex, format!("{} cannot stand for one name", latex.value)).help(
+                "this can be a mean value \\langle E \\rangle, a name with arguments V(\\vec r), a derivative, a sum or an integral",
+            )
+        })?;
+        let is_vector = matches!(declaration.range.value, Range::Matrix(3, 1));
+        let kind = if is_vector { Kind::Vector } else { Kind::Scalar };
+        let moves = declaration.role == Role::VariesWithTime;
+        let name = Name::plain(values::text_of(&items));
+        let id = self.model.symbols.add(name, kind).ok_or_else(|| {
+            self.error(latex, format!("{} is declared twice", latex.value)).help("remove one of the two declarations")
+        })?;
+        let variables = if moves { &mut self.model.varying } else { &mut self.model.constants };
+        let at = variables.len();
+        variables.push(Variable { symbol: id, range: Range::Any, numbers: kind.numbers() });
+        self.model.symbols.entry_mut(id).varies = moves;
+        self.model.mean(id, if moves { Meaning::Varying(at) } else { Meaning::Constant(at) });
+        self.model.macros.values.add(&items);
         Ok(())
     }
 

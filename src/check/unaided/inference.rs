@@ -22,9 +22,16 @@ use crate::check::document::unreadable::faults;
 use crate::check::model::Model;
 use crate::check::model::meaning::Variable;
 use crate::check::unaided::names::{Usage, names_of};
+use crate::check::unaided::values::{self, Value as OneValue};
 
 /// How often the displays are read again with the names that were missing.
-const ROUNDS: usize = 4;
+const ROUNDS: usize = 8;
+
+/// Letters whose hat marks a direction.
+const DIRECTIONS: [&str; 20] = [
+    "x", "y", "z", "r", "n", "k", "s", "t", "u", "v", "e", "i", "j", "\\rho", "\\theta", "\\phi", "\\varphi",
+    "\\imath", "\\jmath", "\\ell",
+];
 
 /// The claims that are inferred for notes.
 ///
@@ -35,28 +42,60 @@ pub(super) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
     define_macros(&notes.macros, &mut macros);
     let usages = names_of(&notes.equations, &macros);
     let lagrangian = lagrangian(notes, &usages);
-    // A function of a name that a display defines cannot be declared. It must not take all other guesses with it.
-    for (printed, functions) in [(lagrangian, true), (lagrangian, false), (None, true), (None, false)] {
-        let mut guess = Guess::of(&usages, printed);
-        if !functions && guess.keys.remove("functions").is_none() {
-            continue;
-        }
-        let mut best = None;
-        for _ in 0..ROUNDS {
-            let claims = guess.claims(notes)?;
-            let look = |checker: Checker<'_>| Ok((missing(checker.readings), foreign(checker.model)));
-            let Ok((missing, foreign)) = with_checker(run, &claims, notes, look) else { break };
-            best = Some(claims);
-            let is_new = guess.add(&missing);
-            if !guess.release(&foreign) && !is_new {
-                break;
+    for printed in [lagrangian, None] {
+        let whole = Guess::of(&usages, printed);
+        // A function of a name that a display defines cannot be declared. It must not take all other guesses with it.
+        let functions = whole.names("functions");
+        let one_less = functions.iter().map(|name| whole.without("functions", std::slice::from_ref(name)));
+        let none = (!functions.is_empty()).then(|| whole.without("functions", &functions));
+        for guess in std::iter::once(whole.clone()).chain(one_less).chain(none) {
+            if let Some(best) = completed(run, notes, guess, (&macros, &usages))? {
+                return Ok(best);
             }
-        }
-        if let Some(best) = best {
-            return Ok(best);
         }
     }
     Guess::default().claims(notes)
+}
+
+/// The claims of a guess, to which the names are added that the displays lack, and then the formulas that stand for one
+/// name; `None`, if the guess does not fit the notes.
+fn completed(
+    run: &Run<'_>,
+    notes: &Notes,
+    mut guess: Guess,
+    (macros, usages): (&Macros, &[Usage]),
+) -> Result<Option<Claims>> {
+    let mut best = None;
+    let directions = hats_are_directions(notes);
+    for _ in 0..ROUNDS {
+        let claims = guess.claims(notes)?;
+        let look = |checker: Checker<'_>| {
+            let values = values::values(checker.readings, notes, macros, usages);
+            let misshapen = values::misshapen(checker.readings, notes, &checker.model.macros);
+            Ok((missing(checker.readings), foreign(checker.model), values, misshapen))
+        };
+        let Ok((missing, foreign, values, misshapen)) = with_checker(run, &claims, notes, look) else { break };
+        best = Some(claims);
+        // What a display gives a formula is declared only if that display does not become readable otherwise.
+        let is_given = |name: &String| usages.iter().any(|usage| usage.given && usage.name.to_string() == *name);
+        let (given, others): (Vec<String>, Vec<String>) = missing.into_iter().partition(is_given);
+        let is_new = guess.add(&others, directions);
+        let goes_on = guess.release(&foreign)
+            || is_new
+            || guess.add_values(&values)
+            || guess.reshape(&misshapen)
+            || guess.add(&given, directions);
+        if !goes_on {
+            break;
+        }
+    }
+    Ok(best)
+}
+
+/// Whether a hat marks a direction in notes, and no operator.
+fn hats_are_directions(notes: &Notes) -> bool {
+    let operators = ["\\hbar", "\\ket", "\\bra", "\\comm", "[\\hat", "\\rangle", "\\hat H", "\\hat{H}"];
+    !notes.equations.iter().any(|display| operators.iter().any(|mark| display.text.contains(mark)))
 }
 
 /// The coordinates that the Lagrangian of the notes does not contain.
@@ -140,18 +179,23 @@ fn defined(usage: &Usage) -> bool {
 #[derive(Clone, Debug, Default)]
 struct Guess {
     keys: Map<String, Value>,
+    /// The formulas that stand for one name whose shape was changed.
+    reshaped: Vec<String>,
 }
 
 impl Guess {
     fn of(usages: &[Usage], lagrangian: Option<&Name>) -> Guess {
         let mut guess = Guess::default();
-        let is_function = |usage: &Usage| usage.arguments.as_ref().is_some_and(|of| *of != [Name::plain("t")]);
+        // An orbit r(φ) moves as the place does.
+        let is_function = |usage: &Usage| {
+            usage.arguments.as_ref().is_some_and(|of| *of != [Name::plain("t")] && (!usage.moves || of.len() > 1))
+        };
         let is_of_time = |usage: &Usage| usage.arguments.as_ref().is_some_and(|of| *of == [Name::plain("t")]);
         let rolling = lagrangian.and_then(|_| rolling(usages));
         let is_known = |usage: &Usage| match &rolling {
             Some(rolling) if rolling.depends == usage.name => true,
             Some(rolling) if rolling.coordinate == usage.name => false,
-            _ => defined(usage) && !is_of_time(usage),
+            _ => (defined(usage) || usage.given && is_function(usage)) && !is_of_time(usage),
         };
         for usage in usages.iter().filter(|usage| !is_reserved(usage) && !is_known(usage)) {
             let name = usage.name.to_string();
@@ -161,9 +205,9 @@ impl Guess {
                 continue;
             }
             let is_vector = ["\\vec{", "\\mathbf{", "\\boldsymbol{", "\\bm{"].iter().any(|mark| name.starts_with(mark));
-            let is_argument = usages.iter().any(|other| {
-                other.introduced.is_some() && other.arguments.as_ref().is_some_and(|of| of.contains(&usage.name))
-            });
+            let is_argument = usages
+                .iter()
+                .any(|other| other.given && other.arguments.as_ref().is_some_and(|of| of.contains(&usage.name)));
             let moves = usage.moves || is_of_time(usage);
             let range = match (is_vector, usage.angle, usage.positive) {
                 (true, ..) => "any",
@@ -199,11 +243,75 @@ impl Guess {
         }
     }
 
+    /// The names that a key declares.
+    fn names(&self, role: &str) -> Vec<String> {
+        let group = self.keys.get(role).and_then(Value::as_object);
+        group.into_iter().flat_map(|group| group.keys().cloned()).collect()
+    }
+
+    /// The same without some names of a key.
+    fn without(&self, role: &str, names: &[String]) -> Guess {
+        let mut guess = self.clone();
+        if let Some(group) = guess.keys.get_mut(role).and_then(Value::as_object_mut) {
+            group.retain(|name, _| !names.contains(name));
+        }
+        guess
+    }
+
+    /// Declares formulas that stand for one name; returns whether one of them is new.
+    fn add_values(&mut self, values: &[OneValue]) -> bool {
+        let mut is_new = false;
+        for OneValue { name, moves, is_vector } in values {
+            if !self.keys.values().any(|group| group.get(name).is_some()) {
+                let kind = match (moves, is_vector) {
+                    (false, false) => "constant",
+                    (true, false) => "varies with time",
+                    (false, true) => "constant vector",
+                    (true, true) => "vector that varies with time",
+                };
+                self.declare("formulas as names", name, kind);
+                is_new = true;
+            }
+        }
+        is_new
+    }
+
+    /// Makes a number of a formula that stands for a vector, or a vector of one that stands for a number, where a display
+    /// does not fit; each once. Returns whether there is one.
+    fn reshape(&mut self, misshapen: &[(usize, String)]) -> bool {
+        let Some(group) = self.keys.get_mut("formulas as names").and_then(Value::as_object_mut) else { return false };
+        let (mut is_one, mut displays) = (false, Vec::new());
+        for (display, name) in misshapen {
+            if displays.contains(display) || self.reshaped.contains(name) {
+                continue;
+            }
+            let other = match group.get(name).and_then(Value::as_str) {
+                Some("constant") => "constant vector",
+                Some("varies with time") => "vector that varies with time",
+                Some("constant vector") => "constant",
+                Some(_) => "varies with time",
+                None => continue,
+            };
+            group.insert(name.clone(), json!(other));
+            displays.push(*display);
+            self.reshaped.push(name.clone());
+            is_one = true;
+        }
+        is_one
+    }
+
     /// Declares names as constants; returns whether one of them is new.
-    fn add(&mut self, missing: &[String]) -> bool {
+    fn add(&mut self, missing: &[String], directions: bool) -> bool {
         let mut is_new = false;
         for name in missing {
             let Some((parsed, _)) = names::parse(name) else { continue };
+            // A direction is that of a vector.
+            let parsed = match parsed.base.strip_prefix("\\hat{").and_then(|inner| inner.strip_suffix('}')) {
+                Some(inner) if directions && DIRECTIONS.contains(&inner) => {
+                    Name { base: format!("\\vec{{{inner}}}"), ..parsed.clone() }
+                }
+                _ => parsed,
+            };
             let name = parsed.to_string();
             let is_known = self.keys.values().any(|group| group.get(&name).is_some());
             if !is_known && !is_reserved_name(&parsed) && !name.starts_with("\\hat") {

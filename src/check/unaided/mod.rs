@@ -31,6 +31,8 @@ mod scopes;
 mod screen;
 mod signs;
 mod solutions;
+#[cfg(feature = "cli")]
+mod values;
 
 use std::collections::{HashMap, HashSet};
 

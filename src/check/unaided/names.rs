@@ -32,6 +32,8 @@ pub(in crate::check) struct Usage {
     pub first: usize,
     /// The first display of which it is the whole left side.
     pub introduced: Option<usize>,
+    /// Whether it is the left side of a relation somewhere, alone or with its arguments.
+    pub given: bool,
     /// The names in parentheses directly after it.
     pub arguments: Option<Vec<Name>>,
 }
@@ -261,6 +263,7 @@ fn note_left(items: &[Item], at: usize, found: &mut Vec<Usage>) {
     if after.is_some_and(is_relation) {
         let usage = entry(found, &printed.name, at);
         usage.introduced = usage.introduced.or(Some(at)).filter(|_| usage.first == at || usage.introduced.is_some());
+        usage.given = true;
     }
 }
 
@@ -279,6 +282,7 @@ fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'f mut Usage
             exponential: false,
             first: at,
             introduced: None,
+            given: false,
             arguments: None,
         });
         found.len() - 1

@@ -54,6 +54,8 @@ pub enum Layout {
     Text(String),
     /// Units after a number.
     Unit(Units),
+    /// A run of items that is declared to be one quantity, as LaTeX.
+    Value(String),
     /// `\begin{name} … \end{name}`: rows of cells.
     Environment(String, Vec<Vec<Vec<Item>>>),
     /// `\\`

@@ -93,6 +93,16 @@ impl<'a> Parser<'a> {
             if self.ends(token, until) {
                 break;
             }
+            // `\vec v\,'`: a prime after a thin space belongs to what stands before the space.
+            let is_thin = matches!(token.kind, TokenKind::Space(Space::Thin));
+            if is_thin
+                && !items.is_empty()
+                && self.tokens.get(self.at + 1).is_some_and(|next| next.kind == TokenKind::Prime)
+            {
+                self.next();
+                self.attach_primes(&mut items);
+                continue;
+            }
             let item = self.scripted(false);
             // `{}` sets nothing.
             if item.layout != Layout::Group(Vec::new()) {
@@ -118,6 +128,29 @@ impl<'a> Parser<'a> {
             },
             _ => false,
         }
+    }
+
+    /// Gives the last item the primes that follow.
+    fn attach_primes(&mut self, items: &mut Vec<Item>) {
+        let Some(last) = items.pop() else { return };
+        let (mut marks, mut span) = (0u8, last.span);
+        while let Some(token) = self.peek().filter(|token| token.kind == TokenKind::Prime) {
+            span = span.to(token.span);
+            marks = marks.saturating_add(1);
+            self.next();
+        }
+        let layout = match last.layout {
+            Layout::Scripts { nucleus, sub, sup, primes } => {
+                Layout::Scripts { nucleus, sub, sup, primes: primes.saturating_add(marks) }
+            }
+            other => Layout::Scripts {
+                nucleus: Box::new(Item { layout: other, span: last.span }),
+                sub: None,
+                sup: None,
+                primes: marks,
+            },
+        };
+        items.push(Item { layout, span });
     }
 
     /// An item with the scripts that follow it.
@@ -369,17 +402,28 @@ impl<'a> Parser<'a> {
             | "\\cancel"
             | "\\mathring"
             | "\\overleftrightarrow" => Layout::Accent(name.to_owned(), Box::new(self.argument(span))),
-            "\\mathrm" => {
-                let argument = self.argument(span);
-                return self.with_units(Layout::Style(name.to_owned(), boxed(argument.clone())), &argument, span);
-            }
-            "\\mathbf" | "\\mathbb" | "\\mathcal" | "\\mathfrak" | "\\mathscr" | "\\mathtt" => {
-                Layout::Style(name.to_owned(), Box::new(self.argument(span)))
+            "\\mathbf" | "\\mathrm" | "\\mathbb" | "\\mathcal" | "\\mathfrak" | "\\mathscr" | "\\mathtt" => {
+                let inner = self.argument(span);
+                // `\mathrm{.}`: a full stop in another font.
+                let mark = match &inner.layout {
+                    Layout::Group(items) => match items.as_slice() {
+                        [Item { layout: mark @ Layout::Other('.' | ',' | ';'), .. }] => Some(mark.clone()),
+                        _ => None,
+                    },
+                    _ => None,
+                };
+                match mark {
+                    None if name == "\\mathrm" => {
+                        let word = Layout::Style(name.to_owned(), boxed(inner.clone()));
+                        return units::word(word, &inner, span.to(Span::at(self.previous_end())));
+                    }
+                    mark => mark.unwrap_or_else(|| Layout::Style(name.to_owned(), boxed(inner))),
+                }
             }
             "\\text" => {
                 let argument = self.argument(span);
-                let layout = Layout::Text(letters(&argument));
-                return self.with_units(layout, &argument, span);
+                let word = Layout::Text(letters(&argument));
+                return units::word(word, &argument, span.to(Span::at(self.previous_end())));
             }
             "\\tag" | "\\label" => {
                 self.argument(span);
@@ -416,16 +460,6 @@ impl<'a> Parser<'a> {
             _ => Layout::Command(name.to_owned()),
         };
         Item { layout, span: span.to(Span::at(self.previous_end())) }
-    }
-
-    /// An upright word, which may be units.
-    fn with_units(&self, layout: Layout, argument: &Item, span: Span) -> Item {
-        let is_text = matches!(layout, Layout::Text(_));
-        let item = Item { layout, span: span.to(Span::at(self.previous_end())) };
-        match units::candidate(&item, argument, is_text) {
-            Some(found) => Item { layout: Layout::Unit(found), span: item.span },
-            None => item,
-        }
     }
 
     fn left(&mut self, span: Span) -> Item {

@@ -24,7 +24,7 @@ fn one(item: &Item) -> String {
     match &item.layout {
         Layout::Letter(c) | Layout::Other(c) => c.to_string(),
         Layout::Number(digits) => digits.clone(),
-        Layout::Command(name) => name.clone(),
+        Layout::Command(name) | Layout::Value(name) => name.clone(),
         Layout::Space(_) => "\\,".to_owned(),
         Layout::Group(items) => format!("{{{}}}", latex(items)),
         Layout::Fence(delimiter, items) => {

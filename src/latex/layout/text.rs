@@ -20,7 +20,8 @@ pub(crate) fn typeset_items(text: &str, macros: &Macros) -> Result<Vec<Item>, Fa
             .code(Code::TooLarge)
             .help("split it into several equations"));
     }
-    Ok(layout(&normalized(with_ellipses(macros.expand(tokens(text))?)), text.len()))
+    let items = layout(&normalized(with_ellipses(macros.expand(tokens(text))?)), text.len());
+    Ok(macros.values.named(items))
 }
 
 /// Three points side by side are an ellipsis.

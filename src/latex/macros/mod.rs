@@ -19,6 +19,7 @@ use std::collections::HashMap;
 use crate::code::Code;
 use crate::source::{Fault, Span};
 
+use super::layout::values::Values;
 use super::lexer::{Token, TokenKind, tokens};
 use parameters::Parameter;
 
@@ -32,6 +33,8 @@ const SAVED: char = '\u{0}';
 #[derive(Clone, Debug, Default)]
 pub struct Macros {
     bodies: HashMap<String, Macro>,
+    /// The formulas that stand for one name each.
+    pub(crate) values: Values,
 }
 
 #[derive(Clone, Debug)]

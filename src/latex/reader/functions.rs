@@ -200,7 +200,7 @@ impl Reader<'_> {
                 let is_place = ["x", "y", "z", "r"].contains(&second.base.as_str()) && second.subscript.is_empty();
                 // So is any letter before the time in a hyperbolic function: cosh αt.
                 (is_rate || run.is_hyperbolic) && Some(second) == self.symbols.time.as_ref()
-                    || base == "k" && is_place && self.symbols.open
+                    || ["k", "q", "\\kappa"].contains(&base) && is_place
             }
             _ => false,
         };

@@ -189,9 +189,29 @@ pub(super) fn starts_differential(item: &Item) -> bool {
     }
 }
 
+/// The function whose reciprocal a command is: coth is 1/tanh.
+fn reciprocal(command: &str) -> Option<Function> {
+    match command {
+        "\\coth" => Some(Function::Tanh),
+        "\\sech" => Some(Function::Cosh),
+        "\\csch" => Some(Function::Sinh),
+        _ => None,
+    }
+}
+
+/// Whether an item is the command of a reciprocal function, with or without a power.
+pub(super) fn is_reciprocal(item: &Item) -> bool {
+    let nucleus = match &item.layout {
+        Layout::Scripts { nucleus, .. } => nucleus,
+        _ => item,
+    };
+    matches!(&nucleus.layout, Layout::Command(name) if reciprocal(name).is_some())
+}
+
 /// A function's command with the power on it.
 pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>)>> {
     let named = |item: &Item| match &item.layout {
+        Layout::Command(name) if reciprocal(name).is_some() => reciprocal(name),
         Layout::Command(name) => name.strip_prefix('\\').and_then(Function::named),
         Layout::Style(style, inner) if style == "\\mathrm" => {
             let word: String =

@@ -112,6 +112,8 @@ pub struct Declaration {
     pub name: Spanned<String>,
     /// Its values.
     pub range: Spanned<Range>,
+    /// Whether the name is a formula that stands for one name, under `formulas as names`.
+    pub is_formula: bool,
 }
 
 /// The kind of symbol that a declaration makes.
@@ -146,6 +148,7 @@ const KEYS: &[&str] = &[
     "varies with time",
     "constants",
     "functions",
+    "formulas as names",
     "dissipation",
     "forces",
     "constraints",
@@ -208,7 +211,8 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
     let means = fields.declared("means", source)?;
     let units = fields.declared("units", source)?;
     let define = fields.pairs("define")?;
-    let declared = declarations.iter().map(|declaration| &declaration.name);
+    let declared =
+        declarations.iter().filter(|declaration| !declaration.is_formula).map(|declaration| &declaration.name);
     let turned = rotations.iter().map(|(name, _)| name).chain(axes.iter().map(|(name, _)| name));
     let spread = continua.iter().map(|continuum| &continuum.name);
     let tied = means.iter().chain(&define).map(|(name, _)| name);
@@ -276,8 +280,24 @@ fn declarations(fields: &Fields<'_>, source: &Source) -> Result<Vec<Declaration>
                 Role::Coordinate | Role::Constant => range::range(&value)?,
             };
             let names = fields::names(&key, source)?;
-            declarations.extend(names.into_iter().map(|name| Declaration { role, name, range: range.clone() }));
+            declarations.extend(names.into_iter().map(|name| Declaration {
+                role,
+                name,
+                range: range.clone(),
+                is_formula: false,
+            }));
         }
+    }
+    for (name, value) in fields.pairs("formulas as names")? {
+        let words = &[
+            ("constant", (Role::Constant, false)),
+            ("varies with time", (Role::VariesWithTime, false)),
+            ("constant vector", (Role::Constant, true)),
+            ("vector that varies with time", (Role::VariesWithTime, true)),
+        ];
+        let Spanned { value: (role, is_vector), span } = fields::word(&value, &name.value, words)?;
+        let range = if is_vector { Range::Matrix(3, 1) } else { Range::Any };
+        declarations.push(Declaration { role, name, range: Spanned::new(range, span), is_formula: true });
     }
     Ok(declarations)
 }

@@ -62,6 +62,11 @@ fn of_document(key: &str) -> Value {
         "varies with time" => described(named(), "What varies freely with the time, each with its range."),
         "constants" => described(named(), "The constants, each with its range."),
         "functions" => described(named(), "Functions without a formula, each with its arguments: \"of r\"."),
+        "formulas as names" => json!({
+            "description": "Formulas that stand for one name each, such as a mean value.",
+            "type": "object",
+            "additionalProperties": { "enum": ["constant", "varies with time", "constant vector", "vector that varies with time"] }
+        }),
         "laws" => described(named(), "What is taken for granted: names with an address or LaTeX."),
         "means" => described(named(), "What a name is for the system: \"L\": \"Lagrangian\"."),
         "define" => described(named(), "Formulas of names that no display defines."),

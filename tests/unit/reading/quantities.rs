@@ -91,7 +91,7 @@ fn a_declared_name_is_no_unit() {
 #[test]
 fn a_macro_that_hides_the_spaces_of_a_unit_is_asked_for_them() {
     let mut macros = Macros::default();
-    macros.define("\\rate", 0, "\\,\\text{m s}^{-1}");
+    macros.define("\\rate", 0, "\\,\\text{m s}");
     macros.define("\\speed", 0, "\\,\\text{km/h}");
     macros.define("\\of", 1, "\\,\\mathrm{#1}");
     let read = |latex: &str| {

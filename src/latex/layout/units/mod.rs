@@ -13,7 +13,6 @@ use crate::source::{Fault, Span};
 use super::item::{Item, Layout};
 
 pub(super) use places::settled;
-pub(super) use spelled::candidate;
 
 /// A product of powers of units, as it was printed.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,6 +60,16 @@ impl Units {
             );
         }
         *exponent *= power;
+    }
+}
+
+/// An upright word with its argument. It may be units, which its place decides.
+pub(super) fn word(word: Layout, argument: &Item, span: Span) -> Item {
+    let is_text = matches!(word, Layout::Text(_));
+    let item = Item { layout: word, span };
+    match spelled::candidate(&item, argument, is_text) {
+        Some(found) => Item { layout: Layout::Unit(found), span },
+        None => item,
     }
 }
 

@@ -8,7 +8,7 @@ use super::super::item::{Delimiter, Item, Layout};
 use super::{Units, exponent};
 
 /// The units that the argument of `\text` or `\mathrm` spells, if it spells nothing else. `is_text` says that it is `\text`.
-pub(in super::super) fn candidate(whole: &Item, argument: &Item, is_text: bool) -> Option<Units> {
+pub(super) fn candidate(whole: &Item, argument: &Item, is_text: bool) -> Option<Units> {
     let items = match &argument.layout {
         Layout::Group(items) => items.as_slice(),
         _ => std::slice::from_ref(argument),
