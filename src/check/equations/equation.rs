@@ -297,9 +297,8 @@ impl Checker<'_> {
             }
             let ends = statement.members[at].span.to(statement.members[at + 1].span);
             let place = Context { span: ends.shifted(context.span.start - statement.span.start), ..*context };
-            if !introduced.iter().any(|new| new.member == at || new.member == at + 1)
-                && let Some(finding) = self.measured(statement, at, claim, &place)
-            {
+            let is_introduced = introduced.iter().any(|new| new.member == at || new.member == at + 1);
+            if let Some(finding) = self.measured(statement, (at, is_introduced), claim, &place) {
                 findings.push(finding);
                 continue;
             }

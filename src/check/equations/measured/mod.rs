@@ -41,14 +41,19 @@ const DEEPEST: usize = 8;
 
 impl Checker<'_> {
     /// The finding on the link of a statement that begins at member `at`, if units stand in it and it compares numbers, or
-    /// gives a letter a value. `None` where it is judged as any other link.
+    /// gives a letter a value. `is_introduced` says that the link defines the letter. `None` where it is judged as any other.
     pub(crate) fn measured(
         &self,
         statement: &Statement,
-        at: usize,
+        (at, is_introduced): (usize, bool),
         claim: &Claim,
         context: &Context<'_>,
     ) -> Option<Finding> {
+        if is_introduced {
+            let [name, value] = [&statement.members[at], &statement.members[at + 1]];
+            let is_value = at == 0 && has_units(value) && self.is_value(value, 0) && name.as_plain_symbol().is_some();
+            return is_value.then(|| self.value(name, value, context));
+        }
         let relation = statement.relations[at].0;
         let is_approximate = relation == Relation::Approximately;
         let says_more = !claim.assume.is_empty() || !claim.small.is_empty() || claim.limit.is_some();
