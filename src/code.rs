@@ -122,6 +122,11 @@ codes! {
     /// With laws in the claims file the message is: this does not follow from the law.
     /// Compare the two values, look at the suggestion, and correct the equation or the claims file.
     SidesDiffer = "sides-differ",
+    /// The printed result of numbers is not what the numbers give, or its unit is another one.
+    ///
+    /// For example, `9.8\,\text{m/s}^2 \times 2.0\,\text{s} = 196\,\text{m/s}`. No numbers that are rounded to the printed
+    /// ones give the result. Correct the number, the power of ten or the unit that slipped.
+    NumbersDiffer = "numbers-differ",
     /// An inequality, or `\neq`, fails at a state that obeys all hypotheses.
     ///
     /// For example, `x^2 > 0` fails at `x = 0`. States are drawn at random, at the boundary of the inequality, and by

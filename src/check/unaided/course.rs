@@ -22,6 +22,8 @@ use crate::check::unaided::signs::{self, Positive};
 use crate::check::unaided::solutions;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
+use crate::code::Code;
+use crate::formula::units::in_si::has_units;
 use crate::formula::{Expr, SymbolId, text};
 use crate::notes::claims::Claim;
 
@@ -147,6 +149,12 @@ impl Course<'_, '_> {
 
     /// Makes a display a premise of what comes later.
     fn take_for_granted(&mut self, at: usize) {
+        // Numbers of an example say nothing about other displays.
+        let mut members =
+            self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        if members.any(has_units) {
+            return;
+        }
         // Beside a motion, what is taken for granted is a special case of it or contradicts it.
         let (id, symbols) = (self.checker.notes.equations[at].id(), self.symbols(at));
         if let (Some(id), Some(symbols), None) = (id, symbols, &self.checker.model.system) {
@@ -158,6 +166,10 @@ impl Course<'_, '_> {
         let none = Claim::default();
         let claim = self.checker.assigned[at].unwrap_or(&none);
         let found = self.by_itself(at)?;
+        // Numbers are wrong by themselves, whatever the letters mean.
+        if found.finding.code == Code::NumbersDiffer {
+            return Ok(found);
+        }
         if found.finding.verdict == Verdict::Refuted
             && gate::lost_derivative(&self.checker.readings[at], &self.checker.notes.equations[at])
         {
