@@ -26,7 +26,7 @@ macro_rules! codes {
                 }
             }
 
-            /// What the code means, why, an example, and what to do: Markdown, a line each.
+            /// What the code means, why, and what to do: Markdown, a line each.
             pub fn explanation(self) -> &'static str {
                 match self {
                     $(Code::$name => concat!($($line, "\n"),+),)+
@@ -58,7 +58,8 @@ codes! {
     UnknownCommand = "unknown-command",
     /// The notation is well-formed, and onshell does not support it.
     ///
-    /// For example, `F \propto r^{-2}` in a numbered display. State the equation in another way, or leave it out with `skip`.
+    /// For example, `F \propto r^{-2}` in a numbered display. State the equation in another way, or leave it out with
+    /// `skip`.
     NotSupported = "not-supported",
     /// Two sides or terms have different shapes: a number, a vector and a matrix cannot be equal or be added.
     ///
@@ -73,6 +74,11 @@ codes! {
     ///
     /// For example, `E = m v` with E declared as an energy. Correct the term, or the declaration under `units`.
     UnitMismatch = "unit-mismatch",
+    /// The dimensions in this display contradict those that all other displays agree on, and one exponent would repair them.
+    ///
+    /// For example, `E^2 = p^2c^2 + m^2c^2` beside `E = \gamma m c^2` and `p = \gamma m v`: c would be a pure number. Notes
+    /// without a claims file only.
+    DimensionsConflict = "dimensions-conflict",
     /// The text is not a unit of the SI.
     ///
     /// For example, `Nm` for `N m`. Write factors with a space between them and one
@@ -101,6 +107,8 @@ codes! {
     /// For example, a formula with more than 64 groups inside one another. Divide the formula or the file.
     TooLarge = "too-large",
     /// A file, an argument or an option cannot be used.
+    ///
+    /// For example, a file is not there. The message says what cannot be used, and why.
     Input = "input",
     /// The claim holds at every sampled state that can decide it.
     ///
@@ -126,23 +134,24 @@ codes! {
     InequalityFails = "inequality-fails",
     /// Exact arithmetic shows that the two sides differ, although floating-point numbers agree.
     ///
-    /// For example, `(1 + 10^{-16}) x = x` agrees to 16 digits. The equation is evaluated modulo a prime, where nothing is
+    /// For example, `(1 + 10^{-16}) x = x` agrees to 16 digits. The equation is evaluated modulo a prime, where
+    /// nothing is
     /// rounded. If the equation is an approximation, write `\approx` and name what is small in the claims file.
     DiffersAsIdentity = "differs-as-identity",
     /// A claim about families holds for some numbers of members, and fails for another one, which is given.
     ///
-    /// For example, `\sum_{i<j} 1 = 3n - 6` holds for 3 and 4 members and fails for 5.
+    /// For example, `\sum_i \sum_{j \neq i} k = (6n - 12) k` holds for 3 and 4 members and fails for 5.
     /// Check the limits of the sums and the factors of `n`.
     FailsForFamilySize = "fails-for-family-size",
     /// The two sides agree where both are defined, but one of them is not defined everywhere.
     ///
-    /// For example, `x^2/x = x` has no left side at `x = 0`. Restrict the range of the symbol in the claims file, or
-    /// write the condition under which the equation holds.
+    /// For example, in `\ln(x^2) = 2 \ln x` the right side has no value where x is negative. Restrict the range of the
+    /// symbol in the claims file, or write the condition under which the equation holds.
     DomainDiffers = "domain-differs",
     /// The equation holds on one branch of an inverse function or of a root, and on no other.
     ///
-    /// For example, `\varphi = \arctan(y/x)` and `x = \sqrt{x^2 + y^2}\cos\varphi` hold together for `x > 0` only, since
-    /// the arctangent lies between −π/2 and π/2. Restrict the range in the claims file (for example, assume `x > 0`), or
+    /// For example, `\varphi = \arctan(y/x)` and `x = r \cos\varphi` hold together for positive x only, since the
+    /// arctangent lies between −π/2 and π/2. Restrict the range in the claims file (for example, assume `x > 0`), or
     /// define the angle by its cosine and its sine.
     OneBranch = "one-branch",
     /// No state was found that obeys the hypotheses.
@@ -157,17 +166,22 @@ codes! {
     TooFewStates = "too-few-states",
     /// At some states the sides differ by more than rounding error and by less than a clear difference.
     ///
-    /// This happens where large terms cancel, for example in `(x + 10^{12}) - 10^{12} = x`.
-    /// Choose ranges in which the terms are of similar size.
+    /// Most such claims are decided with more digits; an integral over a body is not. For example, the factor in
+    /// `= 0.4000000000001 M R^2` is 2/5 to twelve digits. Correct the number, or choose ranges in which the terms are
+    /// of
+    /// similar size.
     WithinRounding = "within-rounding",
     /// A term is so small beside the others that no sampled state shows it: a mistake in it would not be found.
     ///
-    /// For example, `10^{20} + x`. Choose ranges or constants for which the term matters.
+    /// For example, nothing else in `10^{20} + x` shows in sixteen digits. Choose ranges or constants for which the
+    /// term matters.
     TermTooSmall = "term-too-small",
     /// The sampled states do not distinguish the claim from the same claim with one mistake in it: a mutant.
     ///
-    /// For example, under the hypothesis `x = 0` the claim `y = y + x` also holds with `2x` for `x`.
-    /// Widen the ranges, or remove the hypothesis that makes the two equal.
+    /// For example, for small a the claim `\sqrt{1 + a} \approx 1 + a/3` is as good as the claim with 1 − a/3: the
+    /// difference of the sides falls at the same power of a. Correct the claim, widen the ranges, or remove a
+    /// hypothesis
+    /// that makes the two equal.
     MutantPasses = "mutant-passes",
     /// A side is 0 at all states, so that a wrong factor or sign in it would not be noticed.
     ///
@@ -181,7 +195,7 @@ codes! {
     RestatesHypothesis = "restates-hypothesis",
     /// The claim follows from its own hypotheses, whatever the system does.
     ///
-    /// For example, `\dot x = 0` under the hypothesis that `x` is constant throughout.
+    /// For example, `\dot x = 0` under the hypothesis that x is constant throughout.
     /// Remove hypotheses until the claim says something about the motion.
     FollowsFromHypotheses = "follows-from-hypotheses",
     /// Both sides are the same formula, so that nothing is compared.
@@ -190,7 +204,7 @@ codes! {
     SameFormula = "same-formula",
     /// The hypotheses together leave a symbol only one value.
     ///
-    /// For example, `x + y = 0` and `x - y = 0` force `x = 0`, where `x^2 = x^3` holds as well.
+    /// For example, `x + y = 0` and `x - y = 0` force x to be 0, where `x^2 = x^3` holds as well.
     /// A test at one value shows too little. Remove a hypothesis, or state the value directly (`x = 0`).
     ForcedValue = "forced-value",
     /// It is not clear what a name means at this place.
@@ -200,7 +214,8 @@ codes! {
     UnclearName = "unclear-name",
     /// A formula has no value, because a symbol in it has none.
     ///
-    /// For example, a momentum without a system that determines it. Declare the symbol, define it in the notes, or say
+    /// For example, `M = \rho_0 V` where V is the region of an integral: its size has no value outside of it. Declare
+    /// the symbol, define it in the notes, or say
     /// under `means` what it is.
     NoValue = "no-value",
     /// The claims file itself defines the symbol by this formula, so that the display is true by definition.
@@ -212,12 +227,18 @@ codes! {
     /// The display is a law: a hypothesis by the word of the claims file, not checked here.
     Law = "law",
     /// No statement could be made: there are no states, too few, or none that can tell.
+    ///
+    /// For example, in `x + \sqrt{x^3} \approx x` to first order in x, the error falls as the power 1.5 of x. The
+    /// message
+    /// says why nothing was decided, and what to change.
     NotDecided = "not-decided",
     /// Nothing is claimed of the display.
+    ///
+    /// For example, a second print has a number that the notes of the claims file lack.
     NoClaim = "no-claim",
     /// A quantity that is claimed to be constant changes along the motion.
     ///
-    /// For example, `p = m v` is claimed to be conserved, and a force acts on the mass. The counterexample gives its rate.
+    /// For example, `p = m \dot\theta` of a pendulum is claimed to be conserved. The counterexample gives its rate.
     /// Correct the formula, or add under `assume` what keeps it constant.
     NotConserved = "not-conserved",
     /// A quantity that is claimed to be conserved is constant for any motion, so the claim tests nothing.
@@ -230,7 +251,7 @@ codes! {
     NoMotion = "no-motion",
     /// The two sides of ≈ do not approach each other in the limit that the claims file names.
     ///
-    /// For example, `\tanh a \approx a` with `"limit": "a \to \infty"`.
+    /// For example, `\tanh a \approx a` with `"limit": "a \\to \\infty"`.
     /// Correct the formula, or the limit. The counterexample is the last step towards the limit.
     LimitNotReached = "limit-not-reached",
     /// The two sides of ≈ differ at an order that the claim includes.
@@ -244,16 +265,17 @@ codes! {
     TermBeyondOrder = "term-beyond-order",
     /// A formula that is claimed to solve an equation does not satisfy it.
     ///
-    /// For example, x = 2 for x² = 9. The counterexample gives both sides of the equation with the formula put in.
+    /// For example, `x = 2` for `x^2 = 9`. The counterexample gives both sides of the equation with the formula put in.
     /// Correct the solution, or the equation that it solves.
     NotASolution = "not-a-solution",
     /// Two of the given solutions are the same number.
     ///
-    /// For example, both branches of a root are printed with +. Correct the sign of one of them.
+    /// For example, both branches of a root are printed as `\sqrt k`. Correct the sign of one of them.
     RepeatedSolution = "repeated-solution",
     /// An equation has more real solutions than the notes give.
     ///
-    /// For example, only x = 3 is given for x² = 9. Give the other solutions, or exclude them by the range of the unknown.
+    /// For example, only `x = 3` is given for `x^2 = 9`. Give the other solutions, or exclude them by the range of the
+    /// unknown.
     MissingSolutions = "missing-solutions",
     /// The variable that the claim is about does not occur in the formula.
     ///
@@ -266,15 +288,18 @@ codes! {
     /// A formula contains a name that depends on the others, and must be a formula of independent variables.
     ///
     /// A Hamiltonian is a formula of coordinates and momenta; a function whose shape is claimed has no rates in it.
+    /// For example, `\frac12 m\dot x^2` is claimed to be positive as x runs over its range, and the rate of x is not
+    /// free.
     /// Write the name out, or give its formula under `define`.
     NotIndependent = "not-independent",
     /// A sum over smaller and smaller cells does not become the integral.
     ///
-    /// For example, the integral lacks the density. Correct the integral, or the sum over particles that it replaces.
+    /// For example, there is a 2 too many in `2 \int_V \rho(\vec r) \, d^3r`. Correct the integral, or the sum over
+    /// particles that it replaces.
     IntegralDiffers = "integral-differs",
     /// The claim asks for something that the display does not have.
     ///
-    /// For example, `small` for a display without ≈, or `true exactly when` for one without an inequality.
+    /// For example, `"small": "x"` is written for `\sin x = x`, which has no ≈.
     /// Correct the display, or remove the key from the claims file.
     ClaimDoesNotFit = "claim-does-not-fit",
     /// A formula stands alone, without a relation, so it claims nothing.
@@ -292,7 +317,9 @@ codes! {
     DefinitionUnused = "definition-unused",
     /// Other equations use a defined name, and a wrong definition would not make any of them fail.
     ///
-    /// For example, a 2 in the definition could be a 4. The message names the change that no equation detects.
+    /// For example, `p v = m v^2` only repeats `p = m v`: with another p it would be another definition. The message
+    /// names
+    /// the change that no equation detects.
     /// Use the name once more, or put the definition under `define`.
     DefinitionNotTested = "definition-not-tested",
     /// A defined name is always 0 as printed.
@@ -301,7 +328,8 @@ codes! {
     DefinitionZero = "definition-zero",
     /// The display defines a name, and other equations test the definition except for its sign or its factor.
     ///
-    /// For example, a root that is only used squared, or a normal coordinate, whose double has the same linear equation of motion.
+    /// For example, the root `\omega = \sqrt{g/l}` is only used squared. Another
+    /// example is a normal coordinate, whose double has the same linear equation of motion.
     /// This is a pass. Use the name once where its sign or factor matters.
     DefinitionUpToSign = "definition-up-to-sign",
     /// The display defines the Lagrangian, or a name that the Lagrangian contains.
@@ -316,12 +344,13 @@ codes! {
     Introduced = "introduced",
     /// A display does not follow from the others, and is taken for granted, in notes without a claims file.
     ///
-    /// For example, `F = m a` where F, m and a are known before: a law, a condition or a value. It would be called wrong if
+    /// For example, `F = m a` where F, m and a stand in other displays: a law, a condition or a value. It would be
+    /// called wrong if
     /// one likely slip lay between it and an equation that is certified. A claims file can say what must be checked.
     Assumed = "assumed",
     /// An equation that is referred to does not contain what it should contain.
     ///
-    /// For example, a sentence refers to (4.58) for a force, and (4.58) contains none. Correct the number.
+    /// For example, a sentence refers to (1) for a force, and (1) contains none. Correct the number.
     WrongReference = "wrong-reference",
     /// A function does not have the shape that a sentence states: its sign, its minima, its limits, its solutions.
     ///
@@ -330,7 +359,7 @@ codes! {
     FunctionShapeFails = "function-shape-fails",
     /// What is counted along a variable lies too close together to be counted.
     ///
-    /// For example, a grid shows 2 minima and a finer grid 4. Narrow the range of the variable, or of the constants.
+    /// For example, `\sin 100x` has more maxima on a finer grid. Narrow the range of the variable, or of the constants.
     TooClose = "too-close",
     /// A claim and its `true exactly when` conditions disagree at a sampled state.
     ///
@@ -338,13 +367,17 @@ codes! {
     ExactlyWhenFails = "exactly-when-fails",
     /// Hamilton's equations from the printed formula do not give the motion of the system.
     ///
-    /// For example, a wrong sign of the potential. The counterexample names the rate that differs. Correct the formula.
+    /// For example, `+ m g l \cos\theta` has the wrong sign for a pendulum. The counterexample names the rate that
+    /// differs. Correct the formula.
     NotTheHamiltonian = "not-the-hamiltonian",
     /// A claim that was said not to hold always fails at a sampled state, as stated.
+    ///
+    /// For example, `a - b = b - a` is said not to hold always, and a counterexample is found. This is a pass.
     NotAlways = "not-always",
     /// A claim that was said not to hold always holds at every sampled state.
     ///
-    /// For example, `not always` of an identity. Correct the sentence, or widen the ranges in which it is tested.
+    /// For example, `a + b = b + a` is said not to hold always. Correct the sentence, or widen the ranges in which it
+    /// is tested.
     HoldsAlways = "holds-always",
     /// The claim is one of its own conditions, or repeats them, so that nothing is tested.
     ///
@@ -352,30 +385,36 @@ codes! {
     Circular = "circular",
     /// A display that is called a law can be checked, so it is not a hypothesis.
     ///
-    /// For example, a law that follows from the definitions, or a law beside a system, which determines the motion.
+    /// For example, `\dot p = m \ddot x` follows from the definition `p = m \dot x`. Another is a law
+    /// beside a system, which determines the motion.
     /// Remove it from `laws`; it is then checked like any other display.
     NotALaw = "not-a-law",
     /// No sampled state satisfies all laws, or the laws allow only one value of a quantity that varies.
     ///
-    /// Then nothing can be tested at sampled states. Check the laws against each other.
+    /// For example, `F = m \ddot x` and `F = 2 m \ddot x` leave only F = 0. Then nothing can be tested at sampled
+    /// states. Check the laws against each other.
     LawsTooStrong = "laws-too-strong",
     /// The claim needs a display that cannot be read.
     ///
-    /// For example, a name whose definition has an unmatched brace. Correct that display first.
+    /// For example, p is defined by `p = \frac{m v`, which has an unmatched brace. Correct that display first.
     DependsOnUnreadable = "depends-on-unreadable",
     /// A second print of an equation lacks a relation or a whole display that the first one has.
     ///
-    /// For example, one row of three is missing. Restore what the message names.
+    /// For example, the link `= (b + a)^2` is missing. Restore what the message names.
     LostInPrint = "lost-in-print",
     /// A step of a derivation is false only because it builds on a false step before it.
     ///
-    /// For example, a wrong sign in (2) is carried into (3). Correct the display that the message names.
+    /// For example, the wrong sign of `m \ddot x = k x` is carried into the next step. Correct the display that the
+    /// message names.
     FollowsFromMistake = "follows-from-mistake",
     /// The claims file leaves this display out with `skip`.
+    ///
+    /// For example, a path integral, which is not supported. Remove `skip` to have the display checked.
     Skipped = "skipped",
     /// The claims file that `--claims` names is not there.
     ///
-    /// For example, `onshell check notes.md --claims clams.json`. Correct the name, or leave out `--claims`: then the notes are
+    /// For example, `onshell check notes.md --claims clams.json`. Correct the name, or leave out `--claims`: then the
+    /// notes are
     /// checked without a claims file.
     NoClaimsFile = "no-claims-file",
 }

@@ -13,8 +13,15 @@ use crate::formula::units::{Affine, Dimension, UnitCheck};
 use crate::formula::{Assignment, Expr, Node, Statement, Symbols, Unavailable, Value, evaluate, text};
 use crate::latex::{Macros, names, read_display};
 use crate::notes::claims::Range;
+use crate::scalar::Number;
+#[cfg(feature = "cli")]
+use crate::scalar::RunningError;
 use crate::source::{Fault, Source, Span};
 use crate::{Error, Result};
+
+/// The number of roundings that an error of one magnitude stands for.
+#[cfg(feature = "cli")]
+const ROUNDINGS: f64 = 4.0;
 
 /// The name under which the text of a formula stands in errors.
 const PATH: &str = "formula";
@@ -128,13 +135,43 @@ impl Formula {
     /// # Errors
     /// As [`Formula::value`].
     pub(crate) fn entries(&self, values: &[(&str, f64)]) -> Result<Vec<f64>> {
+        let (entries, what) = self.evaluated::<f64>(values)?;
+        match entries.iter().find(|entry| !entry.is_finite()) {
+            None => Ok(entries),
+            Some(entry) if entry.is_nan() => {
+                Err(Error::new(format!("{what} has no real value at this point, like the root of a negative number"))
+                    .help("choose values at which every root, logarithm and quotient in it is a real number"))
+            }
+            Some(_) => Err(Error::new(format!(
+                "{what} has no real value at this point: it is infinite, or too large to compute with"
+            ))
+            .help("choose other values: no denominator may be 0")),
+        }
+    }
+
+    /// The entries of the formula's value, each with a bound of its rounding error.
+    ///
+    /// # Errors
+    /// As [`Formula::value`].
+    #[cfg(feature = "cli")]
+    pub(crate) fn entries_with_errors(&self, values: &[(&str, f64)]) -> Result<Vec<(f64, f64)>> {
+        let (sizes, _) = self.evaluated::<RunningError>(values)?;
+        let error = |value: f64, size: &RunningError| {
+            let magnitude = if size.magnitude.is_finite() { size.magnitude } else { value.abs() };
+            (value, ROUNDINGS * f64::EPSILON * magnitude)
+        };
+        Ok(self.entries(values)?.into_iter().zip(&sizes).map(|(value, size)| error(value, size)).collect())
+    }
+
+    /// The entries of the formula's value over any number, and what each of them is called.
+    fn evaluated<B: Number>(&self, values: &[(&str, f64)]) -> Result<(Vec<B>, &'static str)> {
         let [formula] = self.statement.members.as_slice() else {
             return Err(Error::new("an equation has no value").help("evaluate one of its sides"));
         };
         self.unit()?;
         let mut formula = formula.clone();
         in_si(&mut formula);
-        let mut state = Assignment::<f64>::new(&self.symbols);
+        let mut state = Assignment::<B>::new(&self.symbols);
         let mut known = Vec::new();
         for (name, value) in values {
             let parsed = names::parse(name);
@@ -146,7 +183,7 @@ impl Formula {
             if known.contains(&(id, dots)) {
                 return Err(Error::new(format!("{} is set twice", text::plain(name))).help("set it once"));
             }
-            state.set(id, dots, *value);
+            state.set(id, dots, B::from(*value));
             known.push((id, dots));
         }
         let is_set = |letter: &String| {
@@ -165,21 +202,10 @@ impl Formula {
             Unavailable::Operation(what) => Error::new(format!("the formula has no value: {what}")),
             Unavailable::Symbol(_) => Error::new("a symbol of the formula has no value"),
         })?;
-        let (entries, what) = match value {
+        Ok(match value {
             Value::Scalar(value) => (vec![value.value()], "the formula"),
             other => (other.entries().iter().map(|x| x.value()).collect(), "an entry of the formula"),
-        };
-        match entries.iter().find(|entry| !entry.is_finite()) {
-            None => Ok(entries),
-            Some(entry) if entry.is_nan() => {
-                Err(Error::new(format!("{what} has no real value at this point, like the root of a negative number"))
-                    .help("choose values at which every root, logarithm and quotient in it is a real number"))
-            }
-            Some(_) => Err(Error::new(format!(
-                "{what} has no real value at this point: it is infinite, or too large to compute with"
-            ))
-            .help("choose other values: no denominator may be 0")),
-        }
+        })
     }
 }
 

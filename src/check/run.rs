@@ -57,17 +57,17 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
         let equations: Result<Vec<Equation>> = work.par_iter().zip(equations).with_max_len(1).map(repaired).collect();
         let equations = checker.with_steps(run, &derivations, (&work, equations?), judged)?;
         let equations = if has_steps { checker.with_shared_repairs(run, equations, &sentences) } else { equations };
+        // With only one equation checked, no other can confirm its premises.
+        let equations = match run.only {
+            None => checker.with_unconfirmed_premises(run, equations, &sentences),
+            Some(_) => equations,
+        };
         Ok(Document {
             path: notes.source.path.clone(),
             claims: Some(claims.source.path.clone()),
             is_guessed: false,
             source: notes.source.clone(),
-            // With only one equation checked, no other can confirm its premises.
-            equations: if run.only.is_none() {
-                checker.with_unconfirmed_premises(run, equations, &sentences)
-            } else {
-                equations
-            },
+            equations: equations.into_iter().map(Equation::with_one_proposal).collect(),
             automatic_numbers: notes.automatic_numbers(),
             sentences,
             unnumbered: checker

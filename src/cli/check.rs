@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use crate::check::document::setup;
-use crate::check::{Document, Options, Report, Run, Verdict, check_claims, check_reprint, reprint, unaided};
+use crate::check::{Document, Options, Report, Run, check_claims, check_reprint, reprint, unaided};
 use crate::notes::Notes;
 use crate::report::{self, wrap};
 use crate::systems::Registry;
@@ -99,7 +99,7 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     let mut known = HashSet::new();
     told.retain(|line: &String| known.insert(line.clone()));
     let code = match errors.is_empty() {
-        true if arguments.strict => strict_exit_code(&result),
+        true if arguments.strict => result.strict_exit_code(),
         true => result.exit_code(),
         false => 2,
     };
@@ -113,17 +113,6 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     };
     let told: String = told.iter().map(|line| wrap("", line, 2, screen.err.width) + "\n").collect();
     Outcome { output, messages: told + &shown(&errors, screen), code }
-}
-
-/// The exit code with `--strict`.
-fn strict_exit_code(report: &Report) -> u8 {
-    let is_open = |verdict: Verdict| matches!(verdict, Verdict::Undecided | Verdict::Unreadable | Verdict::Assumed);
-    let undecided = report.items().any(|item| is_open(item.finding.verdict) && item.because.is_none());
-    let unaided = report.documents.iter().any(|document| document.is_guessed);
-    match report.exit_code() {
-        0 if undecided || unaided => 2,
-        code => code,
-    }
 }
 
 /// The report on these paths with the usual options.

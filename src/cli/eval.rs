@@ -28,13 +28,14 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     match entries(arguments) {
         Ok((entries, unit)) => Outcome::done(match (arguments.format, &entries[..]) {
             (Format::Text, entries) => {
-                let entries = entries.iter().map(|entry| format!("{entry:.16e}"));
+                let entries = entries.iter().map(|(value, error)| decimal(*value, *error));
                 entries.chain(unit).collect::<Vec<_>>().join(" ") + "\n"
             }
             (Format::Json, entries) => {
-                let value = match entries {
+                let values: Vec<f64> = entries.iter().map(|(value, _)| *value).collect();
+                let value = match values.as_slice() {
                     [value] => json!(value),
-                    entries => json!(entries),
+                    values => json!(values),
                 };
                 let mut found = json!({ "schema": 1, "value": value });
                 if let Some(unit) = unit {
@@ -47,11 +48,26 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     }
 }
 
-/// The value of the formula: one number, or the entries of a vector or a matrix; and its unit, if units stand in it.
-fn entries(arguments: &Arguments) -> Result<(Vec<f64>, Option<String>)> {
+/// The shortest decimal within a rounding error of a value.
+fn decimal(value: f64, error: f64) -> String {
+    if value.abs() <= error {
+        return "0".to_owned();
+    }
+    let with_digits = |count: usize| format!("{value:.count$e}").parse::<f64>().unwrap_or(value);
+    let shortest = (0..17).map(with_digits).find(|short| (short - value).abs() <= error).unwrap_or(value);
+    // Long rows of zeros are not counted.
+    match shortest.abs() {
+        1e-4..1e15 => format!("{shortest}"),
+        _ => format!("{shortest:e}"),
+    }
+}
+
+/// The value of the formula, with a bound of its rounding error: one number, or the entries of a vector or a
+/// matrix; and its unit, if units stand in it.
+fn entries(arguments: &Arguments) -> Result<(Vec<(f64, f64)>, Option<String>)> {
     let formula = Formula::read(&arguments.formula)?;
     let values = arguments.values.iter().map(|pair| setting(pair)).collect::<Result<Vec<_>>>()?;
-    Ok((formula.entries(&values)?, formula.unit()?))
+    Ok((formula.entries_with_errors(&values)?, formula.unit()?))
 }
 
 /// A name and its value, from `NAME=VALUE`.
@@ -65,4 +81,26 @@ fn setting(pair: &str) -> Result<(&str, f64)> {
         return Err(Error::new(format!("the value of {name} is too large to compute with")));
     }
     Ok((name, value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::decimal;
+
+    #[test]
+    fn a_value_is_printed_as_people_write_it() {
+        for (value, error, printed) in [
+            (1.3777999999999999, 1e-15, "1.3778"),
+            (0.30000000000000004, 1e-16, "0.3"),
+            (1.0 / 3.0, 1e-10, "0.3333333333"),
+            (-2.0, 1e-15, "-2"),
+            (1.22e-16, 1e-15, "0"),
+            (6.02214076e23, 1e9, "6.02214076e23"),
+            (2.5e-7, 1e-22, "2.5e-7"),
+        ] {
+            assert_eq!(decimal(value, error), printed);
+        }
+        // must-fail case: a digit beyond the error is not dropped
+        assert_eq!(decimal(1.3777999999999999, 0.0), "1.3777999999999999");
+    }
 }

@@ -1,13 +1,13 @@
 //! `onshell explain`: what a verdict or the code of a message means.
 
-use crate::report::explain::{Topic, all, topic};
+use crate::report::explain::{Topic, all, example, topic};
 use crate::{Error, suggest};
 
 use super::outcome::{Format, Outcome, Screen};
 
 /// Explains a verdict, the outcome of a mutant, or the code of a message
 ///
-/// Without a word, it lists everything that it explains.
+/// It prints what the word means, what to do, and an example to try. Without a word, it lists everything that it explains.
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  onshell explain refuted")]
 pub struct Arguments {
@@ -29,7 +29,7 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
         }
         named => {
             let texts: Vec<String> = named.iter().map(|named| topic(*named, screen.out)).collect();
-            Outcome::done(texts.join("\n"))
+            Outcome::done(texts.join("\n") + &example(word, screen.out))
         }
     }
 }

@@ -14,12 +14,14 @@ mod explain;
 mod files;
 mod fix;
 mod init;
+mod mark;
 mod mutate;
 mod outcome;
+mod pages;
 mod progress;
 mod read;
 mod schema;
-mod teaching;
+mod system;
 mod terminal;
 
 use std::process::ExitCode;
@@ -30,7 +32,8 @@ use crate::parallel::on_deep_stacks;
 use crate::systems::Registry;
 
 use outcome::Outcome;
-use teaching::{derive, mark, plot, report, watch};
+use pages::{report, watch};
+use system::{derive, plot};
 
 /// Checks the equations in physics notes against what automatic differentiation derives.
 #[derive(Parser)]
@@ -62,12 +65,23 @@ enum Command {
     Watch(watch::Arguments),
 }
 
+/// The command, with the systems in the help of the subcommands that take one.
+fn with_systems(command: clap::Command, registry: &Registry) -> clap::Command {
+    let systems = format!("Systems: {}", registry.names().collect::<Vec<_>>().join(", "));
+    ["derive", "plot"].into_iter().fold(command, |command, name| {
+        command.mut_subcommand(name, |subcommand| {
+            let examples = subcommand.get_after_help().map(ToString::to_string).unwrap_or_default();
+            subcommand.after_help(format!("{examples}\n\n{systems}"))
+        })
+    })
+}
+
 /// Runs the command that the program was started with, with the systems of a registry.
 ///
 /// A crate with systems of its own calls this from its `main` with its own registry, and so has the whole command.
 pub fn run(registry: &Registry) -> ExitCode {
     let screen = terminal::screen();
-    let command = Arguments::command().term_width(screen.out.width);
+    let command = with_systems(Arguments::command(), registry).term_width(screen.out.width);
     let parsed = command.try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches));
     let outcome = on_deep_stacks(|| match parsed.map(|arguments| arguments.command) {
         Ok(Command::Check(arguments)) => check::run(&arguments, registry, screen),

@@ -128,7 +128,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 Value::Complex(z) => Value::Complex(
                     z.call(*function).ok_or(Unavailable::Operation("this function of a complex number"))?,
                 ),
-                _ => return Err(Unavailable::Operation("a scalar where there is none")),
+                _ => return Err(Unavailable::Operation("a vector or a matrix where a number is needed")),
             },
             Node::Apply(id, _) if self.environment.symbols().entry(*id).operator.is_some() => {
                 return Err(Unavailable::Operation("a function or an operator without a formula"));
@@ -289,7 +289,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
     pub(super) fn scalar(&mut self, expr: &Expr) -> Evaluated<D> {
         match self.value(expr)? {
             Value::Scalar(value) => Ok(value),
-            _ => Err(Unavailable::Operation("a scalar where there is none")),
+            _ => Err(Unavailable::Operation("a vector or a matrix where a number is needed")),
         }
     }
 
@@ -378,7 +378,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
             return match self.value(exponent)? {
                 Value::Scalar(x) => Ok(Value::Scalar(x.exp())),
                 Value::Complex(z) => Ok(Value::Complex(z.exp())),
-                _ => Err(Unavailable::Operation("a scalar where there is none")),
+                _ => Err(Unavailable::Operation("a vector or a matrix where a number is needed")),
             };
         }
         let constant = constant_exponent(exponent);
@@ -473,7 +473,7 @@ fn call<D: Number>(function: Function, x: D) -> D {
         Function::Arctan => x.atan(),
         Function::Sinh => x.sinh(),
         Function::Cosh => x.cosh(),
-        Function::Tanh => x.tanh(),
+        Function::Tanh => x.hyperbolic_tangent(),
         Function::Exp => x.exp(),
         Function::Ln => x.ln(),
     }

@@ -63,7 +63,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
 /// notes that an order was asked for.
 fn compare<D: Differentiable>(difference: D, relation: Relation) -> Evaluated<bool> {
     if difference.re().is_nan() {
-        return Err(Unavailable::Operation("a comparison of something that is no number"));
+        return Err(Unavailable::Operation("a comparison with something that has no value"));
     }
     Ok(match relation {
         Relation::Less => difference.is_negative(),

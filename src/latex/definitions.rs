@@ -215,7 +215,7 @@ impl Unknown {
                 let Node::Sum(terms) = &source.0.node else { return Err(self.undeclared(symbols)) };
                 if terms.len() != names.len() {
                     let span = names[0].1.to(names[names.len() - 1].1);
-                    let message = format!("this defines {} names for {} terms", names.len(), terms.len());
+                    let message = format!("this gives {} names to a sum of {} terms", names.len(), terms.len());
                     return Err(
                         Fault::new(span, message).help("give each term of the sum before it one name, in order")
                     );

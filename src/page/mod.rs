@@ -219,6 +219,7 @@ fn tone(verdict: Verdict, ok: bool) -> &'static str {
 fn badge(verdict: Verdict, ok: bool) -> Markup {
     let mark = match (ok, verdict) {
         (true, Verdict::Refuted) => "!",
+        (true, Verdict::Assumed) => "·",
         (true, _) => "✓",
         (false, Verdict::Refuted | Verdict::Domain) => "✗",
         (false, _) => "?",

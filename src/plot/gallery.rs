@@ -34,25 +34,28 @@ pub fn gallery(system: &System) -> Vec<Picture> {
 /// What a kind of picture shows.
 fn said(kind: Kind) -> &'static str {
     match kind {
-        Kind::Motion => "The motion, integrated from the derived accelerations with error control.",
+        Kind::Motion => {
+            "The motion, integrated from the derived accelerations. The step is chosen by the estimated error."
+        }
         Kind::Drift => {
-            "How much the energy changes along that motion, relative to its value. It is conserved, so what is left is the \
-             error of the integration."
+            "The relative change of the energy along that motion. The energy is conserved, so this is the error of the \
+             integration."
         }
         Kind::Potential => {
-            "The effective potential and the energy. The motion turns where they are equal; the rings are found by bisection."
+            "The effective potential and the energy. The motion turns where they are equal: at the rings."
         }
         Kind::Axis => {
-            "The tip of the axis: steady precession, and over a third of the way each the three kinds of nutation, which differ \
-             in the rate of precession at the start. It is 0 for cusps, against the mean for loops, along it for waves."
+            "The path of the tip of the axis: steady precession all around, and each of the three kinds of nutation over a third \
+             of it. They differ in the rate of precession at the start: 0 gives cusps, a rate against the mean precession \
+             gives loops, and one along it gives waves."
         }
         Kind::Rates => {
-            "The two rates of steady precession against the spin, as roots of the Euler–Lagrange equation of the tilt, and what \
-             they approach for a fast spin. Below a least spin there is none."
+            "The two rates of steady precession against the spin, and their limits for a fast spin. They are the roots of the \
+             Euler–Lagrange equation for the tilt. Below a least spin there is no steady precession."
         }
         Kind::Polhodes => {
-            "The tip of ω goes around the axes of the least and of the largest moment. Near the middle axis, at the rings, it \
-             leaves for the other side: that axis is unstable."
+            "The path of the tip of ω in the body. Around the axes of the smallest and of the largest moment of inertia it is \
+             closed. Near the axis of the middle one, at the rings, it leads to the other side: rotation about it is unstable."
         }
     }
 }
@@ -67,7 +70,7 @@ fn values(kind: Kind, system: &System, start: &Start) -> String {
             all.extend([is(name, 0, start.q[i]), is(name, 1, start.v[i])]);
         }
     }
-    format!("With {}, in units that fit together; angles in radians.", all.join(", "))
+    format!("For {}; in any consistent units, angles in radians.", all.join(", "))
 }
 
 /// A number without zeros at its end.
@@ -93,7 +96,7 @@ mod tests {
         };
         for (name, words) in [
             ("heavy_top", vec!["Turning points", "The axis of the top", "Steady precession", "changes by at most"]),
-            ("free_rigid_body", vec!["ellipsoid of energy"]),
+            ("free_rigid_body", vec!["energy ellipsoid"]),
             ("simple_pendulum", vec!["Turning points", "The motion", "changes by at most"]),
             ("double_pendulum", vec!["The motion", "changes by at most"]),
             ("kepler", vec!["Turning points", "The motion"]),

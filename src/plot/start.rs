@@ -48,7 +48,10 @@ impl Start {
                 let all: Vec<&str> =
                     system.coordinates().iter().chain(system.parameters()).map(String::as_str).collect();
                 return Err(Error::new(format!("{latex} is no coordinate, rate or parameter of {}", system.name()))
-                    .help(format!("its names are {}; a rate is \\dot and the coordinate", all.join(", "))));
+                    .help(format!(
+                        "its names are {}; a rate is written with a dot, as in '\\dot\\theta=0.5'",
+                        all.join(", ")
+                    )));
             }
         }
         Ok(start)

@@ -110,8 +110,8 @@ pub(super) fn axis(system: &System, start: &Start) -> Result<Figure> {
     let [_, turns, spins] = TOP;
     let momentum = system.quantities(0.0, &start.q, &start.v, &start.parameters).momenta[spins];
     let Some([slow, _]) = steady_rates(system, start, momentum) else {
-        return Err(Error::new("the top does not spin fast enough for steady precession")
-            .help("give it a faster spin with --set"));
+        return Err(Error::new("the top spins too slowly for steady precession")
+            .help("give it a larger rate of its last angle, as in --set '\\dot\\psi=5'"));
     };
     let whole = std::f64::consts::TAU;
     // each kind of nutation over its own third of the way around, so that they do not cover each other
@@ -191,7 +191,7 @@ pub(super) fn polhodes(system: &System, start: &Start) -> Result<Figure> {
         draw(name, 1, along(middle, 0.02, order[0], sign))?;
     }
     Ok(Figure {
-        title: "Angular velocity of a free body on its ellipsoid of energy".to_owned(),
+        title: "Angular velocity of a free body on its energy ellipsoid".to_owned(),
         axes: ["ω to the right".to_owned(), "ω up".to_owned()],
         curves,
         marks: [1.0, -1.0].map(|sign| seen(along(middle, 0.0, order[0], sign), ABOVE[1]).0).to_vec(),

@@ -48,8 +48,10 @@ pub fn motion(
 ) -> Result<Vec<Moment>> {
     const POINTS: u32 = 600;
     let motion = Motion { system, parameters };
-    let lost =
-        || Error::new("the motion cannot be integrated to the end").help("give another start, or a shorter time");
+    let lost = || {
+        Error::new("the motion cannot be integrated to the end")
+            .help("choose another starting state with --set, or a shorter time with --until")
+    };
     let states = integrated(&motion, [start.0, start.1].concat(), end, POINTS, tolerance).ok_or_else(lost)?;
     let n = start.0.len();
     let moment = |(time, y): (f64, Vec<f64>)| Moment { time, q: y[..n].to_vec(), v: y[n..].to_vec() };
@@ -127,7 +129,7 @@ impl ODE<f64, Vec<f64>> for Turning<'_> {
 /// When the system has no orientation, or the integration ends before.
 pub fn polhode(system: &System, parameters: &[f64], omega: [f64; 3], end: f64) -> Result<Vec<[f64; 3]>> {
     let lost = || {
-        Error::new("a polhode cannot be integrated")
+        Error::new("the angular velocity cannot be integrated to the end")
             .help("polhodes are drawn of a free rigid body, such as free_rigid_body")
     };
     let turning = Turning::new(system, parameters).ok_or_else(lost)?;

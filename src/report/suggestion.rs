@@ -57,6 +57,7 @@ pub fn repair(repair: &Repair, first: bool, source: &Source, style: Style) -> St
         },
         (None, true) => format!("This step would be {}; the rest of the chain needs an edit as well", repair.verdict),
         (None, false) if repair.verdict == Verdict::Definition => "The document would pass".to_owned(),
+        (None, false) if repair.verdict == Verdict::Assumed => "The dimensions would fit".to_owned(),
         (None, false) => format!("It would be {}", repair.verdict),
     };
     let title = Level::HELP.secondary_title(titled("help", "", &format!("{asked} {change}? {then}"), style));
@@ -73,7 +74,8 @@ fn fit(fit: &Fit, source: &Source, style: Style) -> String {
     let title = Level::HELP.secondary_title(titled("help", "", title, style));
     let label = |misfit: &Misfit| match misfit.coefficient.numerator {
         0 => "this term does not belong".to_owned(),
-        _ => format!("should be {} times as large", misfit.coefficient),
+        -1 if misfit.coefficient.denominator == 1 => "should have the other sign".to_owned(),
+        _ => format!("should be multiplied by {}", misfit.coefficient),
     };
     let missing: Vec<&str> = fit.missing.iter().map(|term| term.text.as_str()).collect();
     let missing = (!missing.is_empty()).then(|| format!("add on the right side: {}", missing.join(" and ")));

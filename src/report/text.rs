@@ -186,7 +186,12 @@ fn number_width(document: &Document) -> usize {
 
 fn line(item: &Equation, width: usize, style: Style) -> String {
     let finding = &item.finding;
-    let mark = if item.ok { "✓" } else { "✗" };
+    // What is taken for granted was not checked.
+    let mark = match item.ok {
+        true if finding.verdict == Verdict::Assumed => "·",
+        true => "✓",
+        false => "✗",
+    };
     let verdict = style.paint(&format!("{:<10}", finding.verdict.word()), colour(finding.verdict, item.ok));
     let mut text = match (&item.because, item.ok) {
         (Some(because), true) => format!("as expected: {because}"),

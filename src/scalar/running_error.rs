@@ -15,7 +15,7 @@ use std::fmt;
 use num_dual::Dual64;
 
 use super::arithmetic::dual_number;
-use super::{Arithmetic, Function};
+use super::{Arithmetic, Function, Number};
 
 /// A real value, and the size of its rounding error in units of the machine epsilon.
 ///
@@ -111,7 +111,11 @@ impl Arithmetic for RunningError {
         if periodic && self.magnitude * f64::EPSILON > 1e-5 {
             return RunningError::UNDEFINED;
         }
-        let Dual64 { re, eps } = function.of(Dual64::new(self.value, 1.0));
+        let moving = Dual64::new(self.value, 1.0);
+        let Dual64 { re, eps } = match function {
+            Function::Tanh => moving.hyperbolic_tangent(),
+            _ => function.of(moving),
+        };
         Self::from_slope(re, eps, self.magnitude)
     }
     fn sine_cosine(self) -> (Self, Self) {

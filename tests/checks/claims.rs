@@ -154,6 +154,21 @@ fn a_limit_is_at_its_end_with_its_coefficient() {
 }
 
 #[test]
+fn what_grows_beyond_all_doubles_or_swings_approaches_nothing() {
+    let limit = |latex: &str| verdict(&numbers(), &[latex], json!({ "limit": r"a \to \infty" }));
+    for wrong in [r"\sinh a \approx a", r"\cosh a \approx a", r"e^a \approx a", r"\frac{\sinh^2 a}{\cosh a} \approx a"] {
+        assert_eq!(limit(wrong), Refuted, "{wrong}");
+    }
+    assert!(!limit(r"\tanh a \approx \sin a").passes());
+    for right in [r"\coth a \approx 1", r"\frac{\sinh a}{\cosh a} \approx 1", r"\sinh a \approx \frac12 e^a"] {
+        assert!(limit(right).passes(), "{right}");
+    }
+    // The state that is shown has numbers on both sides.
+    let found = equation(&numbers(), &[r"\tanh a \approx a"], json!({ "limit": r"a \to \infty" })).finding;
+    assert_eq!(found.counterexample.map(|at| at.lhs), Some(1.0));
+}
+
+#[test]
 fn what_is_left_over_in_a_limit_is_found_however_small() {
     let limit = |latex: &str, end: &str| verdict(&numbers(), &[latex], json!({ "limit": end }));
     for (right, wrong, end) in [

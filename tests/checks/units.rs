@@ -13,7 +13,7 @@ fn in_a_document_a_conflict_is_unreadable_at_its_term() {
     assert_eq!(verdict(&claims, &[energy], json!({})), Verified);
     let lost = equation(&claims, &[r"E = \frac12 m l^2 \dot\theta^2 - m g \cos\theta"], json!({}));
     assert_eq!((lost.finding.verdict, lost.finding.points), (Unreadable, 0));
-    assert!(lost.finding.message.contains("“m·g·cos(θ)” is kg m s⁻²"), "{}", lost.finding.message);
+    assert!(lost.finding.message.contains("“m·g·cos(θ)” is in kg m s⁻²"), "{}", lost.finding.message);
     // What an earlier equation taught is said to come from there.
     let later = equation(&claims, &[energy, r"T = E \dot\theta", r"T = U"], json!({}));
     assert_eq!(later.finding.verdict, onshell::check::Verdict::Refuted);

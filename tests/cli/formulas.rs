@@ -76,17 +76,24 @@ fn the_counterexample_of_equal_is_one() {
 }
 
 #[test]
-fn eval_prints_seventeen_digits_that_are_the_double() {
+fn eval_prints_the_shortest_decimal_and_json_the_double() {
     let desk = Desk::new("eval");
-    let value = |formula: &str, set: &[&str]| -> f64 {
-        let mut arguments = vec!["eval", formula];
+    let run = |formula: &str, set: &[&str], format: &str| {
+        let mut arguments = vec!["eval", formula, "--format", format];
         set.iter().for_each(|pair| arguments.extend(["--set", pair]));
         let run = desk.onshell(&arguments);
         assert_eq!(run.code, 0, "{formula}: {}{}", run.out, run.err);
-        let digits = run.out.trim().chars().take_while(|c| *c != 'e').filter(char::is_ascii_digit).count();
-        assert_eq!(digits, 17, "{}", run.out);
-        run.out.trim().parse().unwrap()
+        run
     };
+    let value = |formula: &str, set: &[&str]| run(formula, set, "json").json()["value"].as_f64().unwrap();
+    let printed = |formula: &str, set: &[&str]| run(formula, set, "text").out.trim().to_owned();
+    assert_eq!(printed(r"\lambda_1\dot\theta^2", &[r"\lambda_1=2", r"\dot\theta=0.83"]), "1.3778");
+    assert_eq!(printed(r"\lambda_1\ddot\theta", &[r"\lambda_1=0.1", r"\ddot\theta=3"]), "0.3");
+    assert_eq!(printed(r"\sin\pi", &[]), "0");
+    assert_eq!(printed(r"10^{-12} x", &["x=2.5"]), "2.5e-12");
+    assert_eq!(printed(r"\coth x", &["x=800"]), "1");
+    // What the arithmetic knows is not cut off.
+    assert_eq!(printed("x", &["x=0.1234567890123"]), "0.1234567890123");
     assert_eq!(value(r"\dot\theta", &[r"\dot\theta=0.83"]), 0.83);
     assert_eq!(value(r"\dot\theta^2", &[r"\dot\theta=0.83"]), 0.83 * 0.83);
     assert_eq!(value(r"\lambda_1\ddot\theta", &[r"\lambda_1=0.1", r"\ddot\theta=3"]), 0.1 * 3.0);

@@ -288,14 +288,16 @@ fn equal_says_what_is_assumed_and_what_has_no_value() {
 }
 
 #[test]
-fn what_would_hold_is_told_with_what_it_replaces() {
+fn what_would_hold_is_told_once() {
     let run = check("would-hold", "$$ (a - b)(a + b) = a^2 + b^2 \\tag{1} $$\n", &numbers(json!({})));
-    says(&run, &["it would hold with “− b^2” in place of “+ b^2”"]);
+    // Where an edit is suggested, it alone is told.
+    says(&run, &["did you mean “-” in place of “+”"]);
+    is_silent(&run, &["it would hold with"]);
     let run = check("would-hold-2", "$$ (a + b)^2 = a^2 + ab + b^2 \\tag{1} $$\n", &numbers(json!({})));
     // No single change of a term of this formula makes it true.
     is_silent(&run, &["it would hold with"]);
     let cosine = check("would-hold-3", "$$ \\sin^2 x + \\sin^2 x = 1 \\tag{1} $$\n", &numbers(json!({})));
-    says(&cosine, &["it would hold with “cos(x)” in place of “sin(x)”"]);
+    says(&cosine, &["did you mean “\\cos” in place of “\\sin”"]);
 }
 
 #[test]
@@ -425,4 +427,45 @@ fn a_subscript_of_a_subscript_is_printed_without_braces() {
     // LaTeX keeps its braces.
     let latex = Desk::new("messages-subscripts-latex").onshell(&["derive", "double_pendulum", "--format", "latex"]);
     says(&latex, &["p_{\\theta_"]);
+}
+
+#[test]
+fn a_formula_in_a_display_without_a_number_is_pointed_at() {
+    let notes = "$$ q_1 = a b $$\n\n$$ c = q_1^2 - 2 q_1 \\tag{1} $$\n";
+    let claims = |name: &str| json!({ "notes": "notes.md", "constants": { "a, b, c": "> 0", name: "any" } });
+    let run = check("no-number", notes, &claims("x"));
+    says(&run, &["q_1 is not declared; line 1 has a formula for it, but no number", "number it with \\tag"]);
+    let declared = check("no-number-2", notes, &claims("q_1"));
+    is_silent(&declared, &["has a formula for it"]);
+}
+
+#[test]
+fn a_declared_name_that_nothing_determines_is_named() {
+    let force = json!({ "notes": "notes.md", "constants": { "m": "> 0" }, "varies with time": { "F, x": "any" } });
+    let notes = "$$ F = m \\ddot x \\tag{1} $$\n";
+    let run = check("undetermined", notes, &force);
+    says(&run, &["F is declared in the claims file, and nothing determines it", "under \"laws\""]);
+    // Where a law or the other side has the name, the two sides differ and no more.
+    let law = "$$ F = m \\ddot x \\tag{1} $$\n\n$$ F = 2 m \\ddot x \\tag{2} $$\n";
+    is_silent(&check("determined", law, &merged(force, json!({ "laws": { "Newton": "1" } }))), &["nothing determines it"]);
+    is_silent(&check("determined-2", "$$ a = a + b \\tag{1} $$\n", &numbers(json!({}))), &["nothing determines it"]);
+}
+
+#[test]
+fn what_is_assumed_has_no_tick() {
+    let desk = Desk::new("messages-assumed");
+    desk.write("alone.md", "$$ E = m v^2 $$\n\n$$ a = v^2/r $$\n\n$$ F = m a $$\n\n$$ E = F R $$\n");
+    let run = desk.onshell(&["check", "alone.md", "--verbose"]);
+    says(&run, &["· L7  assumed", "✓ L1  definition"]);
+    is_silent(&run, &["✓ L7"]);
+}
+
+#[test]
+fn derive_names_the_function_without_a_formula_and_the_help_lists_the_systems() {
+    let desk = Desk::new("messages-derive");
+    desk.write("orbit.md", "$$ L = \\frac12 m \\dot r^2 - V(r) \\tag{1} $$\n\n$$ m\\ddot r = -V'(r) \\tag{2} $$\n");
+    says(&desk.onshell(&["derive", "orbit.md"]), &["contains V, a function without a formula"]);
+    for command in ["derive", "plot"] {
+        says(&desk.onshell(&[command, "--help"]), &["Examples:", "Systems: heavy_top, ", "relativistic_particle"]);
+    }
 }

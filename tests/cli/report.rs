@@ -90,7 +90,7 @@ fn every_equation_of_the_derivations_is_on_its_page_with_its_verdict() {
             "06-spinning-top.html",
             ["Steady precession: two rates", "The axis of the top", "All 31 lines", "printed and derived"],
         ),
-        ("04-stability.html", ["ellipsoid of energy", "unstable", "The derivation, step by step", "onshell-plot"]),
+        ("04-stability.html", ["energy ellipsoid", "unstable", "The derivation, step by step", "onshell-plot"]),
     ] {
         let page = desk.read(&format!("pages/{name}"));
         words.iter().for_each(|words| assert!(page.contains(words), "no {words} in {name}"));

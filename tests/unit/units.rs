@@ -72,7 +72,7 @@ fn names_the_term(claims: &Json, units: &[(&str, &str)], displays: &[&str], term
         [(found, message)] => {
             assert_eq!(found, term, "{message}");
             for word in words {
-                assert!(message.contains(word), "“{word}” is not in: {message}");
+                assert!(message.contains(word), "“{word}” is in not in: {message}");
             }
         }
         other => panic!("{displays:?}: not one conflict: {other:?}"),
@@ -134,13 +134,13 @@ fn the_message_says_what_cannot_be_done() {
         let found = terms(&top(), &TOP, &[display]);
         assert!(found.len() == 1 && found[0].1.contains(words), "{found:?}");
     };
-    say(r"M R + g = 0", "“M·R” is kg m and “g” is m s⁻²: they cannot be added");
-    say(r"M R = g", "“M·R” is kg m and “g” is m s⁻²: they cannot be equal");
-    say(r"R < g", "“R” is m and “g” is m s⁻²: they cannot be compared");
+    say(r"M R + g = 0", "“M·R” is in kg m and “g” is in m s⁻², so they cannot be added");
+    say(r"M R = g", "“M·R” is in kg m and “g” is in m s⁻², so they cannot be equal");
+    say(r"R < g", "“R” is in m and “g” is in m s⁻², so they cannot be compared");
     say(r"M = g R + R g", "they cannot stand in one equation");
-    say(r"\sin R = 0", "“R” is m, but the argument of sin must be dimensionless");
-    say(r"2^M > 1", "“M” is kg, but an exponent must be dimensionless");
-    say(r"R^\theta = 1", "“R” is m, but the base of a power whose exponent is not a number must be dimensionless");
+    say(r"\sin R = 0", "“R” is in m, but the argument of sin must be dimensionless");
+    say(r"2^M > 1", "“M” is in kg, but an exponent must be dimensionless");
+    say(r"R^\theta = 1", "“R” is in m, but the base of a power whose exponent is not a number must be dimensionless");
     say(r"R = 3", "“3” is dimensionless");
     fits(
         &top(),
@@ -165,7 +165,7 @@ fn what_is_inferred_in_one_equation_is_used_in_the_next() {
     // Two unknowns that only two equations together settle: b c is m and b/c is m³.
     let two = [r"b c = x", r"\frac{b}{c} = x^3"];
     fits(&letters(), &units, &[two[0], two[1], r"b = x^2"]);
-    names_the_term(&letters(), &units, &[two[0], two[1], r"b = x"], "x", &["“b” is m²"]);
+    names_the_term(&letters(), &units, &[two[0], two[1], r"b = x"], "x", &["“b” is in m²"]);
     // Nothing is said of what nothing is known of.
     fits(&letters(), &units, &[r"b c = z"]);
 }
@@ -183,9 +183,9 @@ fn terms_that_agree_in_pairs_and_not_together_do_not_agree() {
     // u is dimensionless by itself, or the root of a length: never both.
     assert_eq!(messages("u + u^2 = 0"), [""; 0]);
     assert_eq!(messages("u^2 + x = 0"), [""; 0]);
-    assert_eq!(messages("u + u^2 + x = 0"), ["“u” is dimensionless and “x” is m: they cannot be added"]);
+    assert_eq!(messages("u + u^2 + x = 0"), ["“u” is dimensionless and “x” is in m, so they cannot be added"]);
     // A sum within a sum is told by itself.
-    assert_eq!(messages("(x + 1) x = 0"), ["“x” is m and “1” is dimensionless: they cannot be added"]);
+    assert_eq!(messages("(x + 1) x = 0"), ["“x” is in m and “1” is dimensionless, so they cannot be added"]);
     assert_eq!(messages(r"u (x^2 + x) = \sin x").len(), 2);
 }
 
@@ -194,7 +194,7 @@ fn a_root_halves_the_exponents() {
     let units = [("x", "m"), ("a", "m/s^2")];
     fits(&letters(), &units, &[r"\dot x = \sqrt{2 a x}", r"\dot x = (2 a x)^{1/2}", r"y = x^{\frac12}", r"y^2 = x"]);
     names_the_term(&letters(), &units, &[r"\dot x = \sqrt{2 a}"], r"\sqrt{2 a}", &["m^(1/2) s⁻¹"]);
-    names_the_term(&letters(), &units, &[r"y = x^{1/2}", r"y = x"], "x", &["“y” is m^(1/2)"]);
+    names_the_term(&letters(), &units, &[r"y = x^{1/2}", r"y = x"], "x", &["“y” is in m^(1/2)"]);
     fits(&letters(), &units, &[r"x = \sqrt[3]{x^3}"]);
     assert_eq!(terms(&letters(), &units, &[r"x = \sqrt[3]{x^2}"]).len(), 1);
 }
@@ -228,7 +228,7 @@ fn the_planet_obeys_the_unit_of_newtons_constant() {
         r"\frac{GM}{r^2}",
         &["m² s⁻²", "m s⁻²"],
     );
-    names_the_term(&planet, &units, &[radial, r"\sin r = 1"], "r", &["“r” is m, but the argument of sin"]);
+    names_the_term(&planet, &units, &[radial, r"\sin r = 1"], "r", &["“r” is in m, but the argument of sin"]);
     assert_eq!(terms(&planet, &units, &[radial, r"\dot\phi^2 a^2 = G M", r"a = r"]).len(), 1);
 }
 
@@ -259,7 +259,7 @@ fn a_matrix_of_rotation_has_no_unit_and_a_family_has_one() {
         &["s⁻¹", "s⁻²"],
     );
     let turning = r"\dot{\hat e}_a = \vec\omega \times \hat e_a";
-    names_the_term(&body, &units, &[turning, r"\vec\omega \cdot \hat e_1 = h"], "h", &["s⁻¹", "“h” is m"]);
+    names_the_term(&body, &units, &[turning, r"\vec\omega \cdot \hat e_1 = h"], "h", &["s⁻¹", "“h” is in m"]);
     let entries = |corner: &str| {
         format!(r"\mathbf{{R}} = \begin{{pmatrix}} 1 & 0 & 0 \\ 0 & {corner} & 0 \\ 0 & 0 & 1 \end{{pmatrix}}")
     };

@@ -1,6 +1,7 @@
 //! Lines for the claims file that would make an equation checkable.
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::{Expr, Node, text};
 use crate::source::Span;
 use crate::suggest::in_json;
@@ -59,6 +60,36 @@ impl Checker<'_> {
         format!(
             "≈ does not say when the two sides are nearly equal; write {small} in the claims file, or {limit} for a limit"
         )
+    }
+
+    /// The finding on an equation that fails, with a remark where a side is a declared name that nothing determines: it is
+    /// drawn at random then, and equals no formula.
+    pub(crate) fn with_undetermined_name(&self, link: &Link, finding: Finding, context: &Context<'_>) -> Finding {
+        if finding.code != Code::SidesDiffer || !context.options.explain || context.options.deduction {
+            return finding;
+        }
+        let stands_in = |id, formula: &Expr| formula.symbols().iter().any(|(known, _)| *known == id);
+        let laws = self.model.laws.iter().flat_map(|law| &law.hypotheses);
+        let known: Vec<&Expr> =
+            laws.chain(context.hypotheses).flat_map(|hypothesis| [&hypothesis.lhs, &hypothesis.rhs]).collect();
+        let undetermined = |(side, other): (&Expr, &Expr)| match side.node {
+            Node::Symbol { id, dots: 0, .. } => {
+                let is_drawn = matches!(self.model.meaning(id), Some(Meaning::Constant(_) | Meaning::Varying(_)));
+                let is_known = stands_in(id, other) || known.iter().any(|formula| stands_in(id, formula));
+                (is_drawn && !is_known && context.local.is_empty()).then_some(id)
+            }
+            _ => None,
+        };
+        let Some(id) = [(&link.lhs, &link.rhs), (&link.rhs, &link.lhs)].into_iter().find_map(undetermined) else {
+            return finding;
+        };
+        let name = text::plain(&self.model.name(id));
+        let message = format!(
+            "{}; {name} is declared in the claims file, and nothing determines it: remove its declaration if this defines \
+             {name}, or put this under \"laws\" if it is taken for granted",
+            finding.message
+        );
+        Finding { message, ..finding }
     }
 
     /// A key with its value as a line to add to the claims file for the equation at a place.

@@ -2,6 +2,7 @@
 
 use crate::Error;
 use crate::code::Code;
+use crate::latex::name_search;
 use crate::notes::claims::{Sentence, Test};
 use crate::source::{Missing, Span};
 
@@ -19,6 +20,19 @@ impl Checker<'_> {
         missing?;
         let unreadable = UnreadableDisplays::of(self.notes, self.readings.iter().enumerate());
         unreadable.cause(missing, self.model)
+    }
+
+    /// What to do where the only display with a formula for a name has no number, so that it is not read.
+    pub fn without_a_number(&self, missing: Option<&Missing>) -> Option<String> {
+        let Some(Missing::Name(name)) = missing else { return None };
+        let displays = self.notes.equations.iter().zip(self.assigned);
+        let mut unread = displays.filter(|(display, claim)| display.id().is_none() && claim.is_none());
+        let (display, _) =
+            unread.find(|(display, _)| name_search::is_a_side(&display.text, name, &self.model.macros))?;
+        Some(format!(
+            "line {} has a formula for it, but no number, so it was not read; number it with \\tag",
+            display.line
+        ))
     }
 
     /// The finding on a display whose claim needs an unreadable display.

@@ -215,6 +215,8 @@ impl Checker<'_> {
                     if let Some(cause) = self.cause(fault.missing.as_ref()) {
                         finding.code = Code::DependsOnUnreadable;
                         finding.message = format!("{}; {cause}", fault.message);
+                    } else if let Some(advice) = self.without_a_number(fault.missing.as_ref()) {
+                        finding.message = format!("{}; {advice}", fault.message);
                     }
                     parts.push(self.part(finding, String::new()));
                     continue;
@@ -356,6 +358,7 @@ impl Checker<'_> {
                 }
                 _ => identity::check(&link, &context)?,
             };
+            let finding = self.with_undetermined_name(&link, finding, &context);
             let finding = context.for_every_function(finding, &[&link.lhs, &link.rhs]);
             links.push(JudgedLink { at, finding, relation: *relation });
         }

@@ -69,7 +69,7 @@ impl Checker<'_> {
         let names: Vec<&str> = self.model.laws.iter().map(|law| law.name.as_str()).collect();
         if ensemble.states.is_empty() {
             let message = format!(
-                "no sampled state satisfies the laws ({}): none was found that obeys {}",
+                "no sampled state satisfies the laws ({}), that is, {}",
                 names.join(", "),
                 unmet_hypotheses::explanation(&ensemble.projection)
             );

@@ -35,7 +35,7 @@ pub(crate) fn check(checker: &Checker<'_>, at: usize, sentence: &Sentence) -> Re
             return Err(Error::at(&checker.claims.source, sentence.quote.span, message).help("quote it word for word"));
         }
         _ => {
-            let message = format!("the notes contain this {} times", found.len());
+            let message = format!("the notes contain this quote {} times", found.len());
             return Err(Error::at(&checker.claims.source, sentence.quote.span, message).help("quote more of it"));
         }
     };

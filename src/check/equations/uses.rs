@@ -45,9 +45,12 @@ impl Checker<'_> {
         let whole = self.whole_displays(introduced)?.without(&restated);
         if uses.is_empty() && !restated.is_empty() && approximations.is_empty() && whole.is_empty() {
             let name = text::plain(&self.model.name(symbol));
+            let mut by = restated.clone();
+            by.dedup();
+            let repeat = if by.len() == 1 { "only repeats" } else { "only repeat" };
             let message = format!(
-                "defines {name}, but {} only repeats the definition, so it was not tested; use {name} in an equation that can fail",
-                restated.join(", ")
+                "defines {name}, but {} {repeat} the definition, so it was not tested; use {name} in an equation that can fail",
+                by.join(", ")
             );
             return Ok(context.finding(Code::DefinitionNotTested, Verdict::Undecided, message));
         }

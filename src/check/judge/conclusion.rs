@@ -14,7 +14,7 @@ use crate::check::sample::setting::FEWEST;
 use crate::check::state::counterexample::counterexample;
 use crate::check::state::residual::Point;
 use crate::check::verdict::Verdict;
-use crate::check::verdict::finding::Finding;
+use crate::check::verdict::finding::{Finding, WOULD_HOLD};
 
 /// The finding on a claim: a failure first, then sides that are not both defined, then too little evidence.
 pub(crate) fn conclude(
@@ -36,7 +36,7 @@ pub(crate) fn conclude(
         finding.max_residual = Some(failure.residual);
         finding.counterexample = Some(counterexample(link, &ensemble.states[*at], failure));
         if let Some(mutant) = context.options.explain.then(|| surviving_mutant(states, context.model)).flatten() {
-            finding.message.push_str(&format!("; it would hold with {}", mutant.change));
+            finding.message.push_str(&format!("{WOULD_HOLD}{}", mutant.change));
         }
         return finding;
     }

@@ -26,7 +26,7 @@ use crate::scalar::{Arithmetic, Enclosure, RunningError, Series};
 
 use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::mutants::{Slip, mutants_of};
-use crate::check::kinds::rate;
+use crate::check::kinds::rate::{self, Course};
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::sampling::Mode;
 use crate::check::sample::context::Context;
@@ -201,9 +201,9 @@ const BITS: usize = 1600;
 /// The powers of 2 of the distances at which it is measured, those farthest away first.
 const FAR: [[i32; 2]; 2] = [[100, 200], [12, 28]];
 
-/// The power below which an approach may be none, and the ratio of the errors above which it is none.
+/// The power below which an approach may be none, and the number of steps that tell a slow one from none.
 const SLOW: f64 = 0.3;
-const STAYS: f64 = 0.8;
+const BETWEEN: i32 = 8;
 
 /// The length of a short step.
 const SHORT: f64 = 0.25;
@@ -305,21 +305,18 @@ impl<'a> Steps<'a> {
                 rate::gaps(link, projection, &numbers, (BITS, true))
             };
             // An exponential of a very large number is beyond these numbers too.
-            let found = FAR.iter().find_map(|[near, nearer]| {
-                Some(rate::slowest(&gaps(*near)?, &gaps(*nearer)?, f64::from(nearer - near)))
+            let found = FAR.iter().find_map(|[near, far]| {
+                Some((rate::slowest(&gaps(*near)?, &gaps(*far)?, f64::from(far - near)), [*near, *far]))
             });
-            let Some((power, gaps)) = found else { return approach };
-            if let Some((near, nearer)) = gaps.filter(|_| power < SLOW)
-                && nearer.size > STAYS * near.size
-            {
-                let last = f64::from(FARTHEST);
-                let sides = |state: SampledState<'_, RunningError>| {
-                    let (a, b) = (state.now(&link.lhs, &[]).ok()?, state.now(&link.rhs, &[]).ok()?);
-                    let (Value::Scalar(a), Value::Scalar(b)) = (a, b) else { return None };
-                    Some(Failure { lhs: a.value, rhs: b.value, residual: nearer.size, entry: None })
-                };
-                let failure = self.state(last, side).and_then(sides);
-                return failure.map_or(approach, |failure| Approach::Fails(failure, side, last));
+            let Some(((power, last), [near, far])) = found else { return approach };
+            if let Some((_, nearer)) = last.filter(|_| power < SLOW) {
+                let between: Option<Vec<_>> =
+                    (0..BETWEEN).map(|k| gaps(near + k * (far - near) / (BETWEEN - 1))).collect();
+                match between.map_or(Course::Unclear, |steps| rate::course(&steps)) {
+                    Course::Falls => {}
+                    Course::Stays => return self.failure(link, side, nearer.size),
+                    Course::Unclear => return Approach::Useless,
+                }
             }
             slowest = Some(slowest.map_or(power, |slowest| slowest.min(power)));
         }
@@ -328,6 +325,22 @@ impl<'a> Steps<'a> {
             (Approach::Fails(..), Some(power)) => Approach::Power(power),
             (approach, _) => approach,
         }
+    }
+
+    /// The failure of an approach whose error stays: at the last step at which doubles hold both sides.
+    fn failure(&self, link: &Link, side: f64, residual: f64) -> Approach {
+        let at = |k: f64| {
+            let state = self.state(k, side)?;
+            let (a, b) = (state.now(&link.lhs, &[]).ok()?, state.now(&link.rhs, &[]).ok()?);
+            let (Value::Scalar(a), Value::Scalar(b)) = (a, b) else { return None };
+            let are_numbers = a.value.is_finite() && b.value.is_finite();
+            are_numbers.then_some(Approach::Fails(
+                Failure { lhs: a.value, rhs: b.value, residual, entry: None },
+                side,
+                k,
+            ))
+        };
+        (0..=FARTHEST).rev().find_map(|k| at(f64::from(k))).unwrap_or(Approach::Useless)
     }
 
     fn approach_from(&self, side: f64, link: &Link, last: i32) -> Result<Approach, Unavailable> {

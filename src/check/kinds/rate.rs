@@ -77,3 +77,63 @@ pub(crate) fn slowest(near: &[Gap], nearer: &[Gap], steps: f64) -> (f64, Option<
     }
     slowest
 }
+
+/// What becomes of a difference that falls with no power of the distance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Course {
+    /// It stays, or grows.
+    Stays,
+    /// It falls from step to step, as 1/ln x does.
+    Falls,
+    /// It goes up and down.
+    Unclear,
+}
+
+/// The ratio of the last difference to the first, below which it falls and above which it stays.
+const FALLS: f64 = 0.8;
+const STAYS: f64 = 0.95;
+
+/// The course of a difference over steps at growing distances, by the largest entry of each step.
+pub(crate) fn course(steps: &[Vec<Gap>]) -> Course {
+    let largest = |gaps: &Vec<Gap>| {
+        gaps.iter()
+            .copied()
+            .max_by(|a, b| a.log2.total_cmp(&b.log2))
+            .unwrap_or(Gap { log2: f64::NEG_INFINITY, size: 0.0 })
+    };
+    let largest: Vec<Gap> = steps.iter().map(largest).collect();
+    let (Some(first), Some(last)) = (largest.first(), largest.last()) else { return Course::Unclear };
+    // A difference beyond the largest double has a logarithm still.
+    if !first.size.is_finite() || !last.size.is_finite() {
+        return if last.log2 >= first.log2 { Course::Stays } else { Course::Unclear };
+    }
+    let highest = |part: &[Gap]| part.iter().map(|gap| gap.size).fold(0.0, f64::max);
+    let (before, after) = largest.split_at(largest.len() / 2);
+    match () {
+        () if highest(after) >= STAYS * highest(before) => Course::Stays,
+        () if last.size <= FALLS * first.size && largest.windows(2).all(|pair| pair[1].size < pair[0].size) => {
+            Course::Falls
+        }
+        () => Course::Unclear,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn steps(sizes: &[f64]) -> Vec<Vec<Gap>> {
+        sizes.iter().map(|size| vec![Gap { log2: size.log2(), size: *size }]).collect()
+    }
+
+    #[test]
+    fn a_difference_that_falls_slowly_is_told_from_one_that_stays_and_from_one_that_swings() {
+        let slow: Vec<f64> = (0..8).map(|k| 1.0 / f64::from(100 + 14 * k)).collect();
+        assert_eq!(course(&steps(&slow)), Course::Falls);
+        assert_eq!(course(&steps(&[0.3; 8])), Course::Stays);
+        assert_eq!(course(&steps(&[1.0, 0.2, 0.7, 0.4, 0.8, 0.1, 0.6, 0.3])), Course::Unclear);
+        // A difference beyond all doubles: e^a beside a.
+        let beyond = |log2| vec![Gap { log2, size: f64::INFINITY }];
+        assert_eq!(course(&[beyond(6e3), beyond(4e8)]), Course::Stays);
+    }
+}

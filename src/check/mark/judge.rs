@@ -122,7 +122,7 @@ impl Judge<'_, '_> {
             let again = self.status(display, &whole);
             if let Status::Holds(_) = again.0 {
                 (status, under) = again;
-                line.because = "true, though it does not follow from the row before".to_owned();
+                line.because = "true; it does not follow from the row before, which is wrong".to_owned();
             }
         } else if let (Status::Holds(_), Some(from)) = (&status, broken) {
             (line.mark, line.follows_from) = (Mark::Carried, Some(from));

@@ -71,13 +71,19 @@ impl Problem {
             matches!(verdicts[wanted.display], Verdict::Refuted | Verdict::Domain | Verdict::Unreadable)
         });
         if let Some(failed) = failed {
-            let message = format!("({}) is a wanted result, and it is {} itself", failed.id, verdicts[failed.display]);
+            let message = format!(
+                "({}) is a result that is wanted, but in the model solution it is {}",
+                failed.id, verdicts[failed.display]
+            );
             return Err(Error::at(&notes.source, notes.equations[failed.display].body, message)
                 .help("check the problem first with `onshell check`, and correct it"));
         }
         if wanted.is_empty() {
-            return Err(Error::new(format!("{} has no equation, so nothing is wanted", notes.source.path))
-                .help("write the wanted results as displays, and name them under \"rubric\""));
+            return Err(Error::new(format!(
+                "{} has no equation, so there is no result to look for",
+                notes.source.path
+            ))
+            .help("write the wanted results as displays, and name them under \"rubric\""));
         }
         let mut contexts: Vec<Claim> = Vec::new();
         for (_, claim) in &claims.equations {

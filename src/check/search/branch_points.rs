@@ -80,7 +80,7 @@ pub(crate) fn on_both_sides(
         for inside in branches {
             let name = text::formula(&inside.formula, &context.model.symbols);
             let (states, closely) = beside(&inside.formula, context, ensemble);
-            let message = format!("the two sides agree on one side of {name} = 0 and differ on the other");
+            let message = format!("the two sides agree for one sign of {name} and differ for the other");
             let all = (&ensemble.projection, states.as_slice());
             let clear = (all.0, &all.1[closely..]);
             let found = magnitudes::judged(link, context, clear, &message, &finding)

@@ -57,6 +57,7 @@ pub(super) fn judged_again(
     let explained = &with_options(checker, true);
     let mut course = Course {
         run,
+        scope,
         checker: explained,
         quick: with_options(checker, false),
         known: Vec::new(),
@@ -91,6 +92,7 @@ fn with_options<'a>(checker: &Checker<'a>, explain: bool) -> Checker<'a> {
 /// The way through the displays.
 struct Course<'c, 'a> {
     run: &'c Run<'c>,
+    scope: &'c Scope,
     checker: &'c Checker<'a>,
     /// The same checker without explanations.
     quick: Checker<'a>,
@@ -176,8 +178,10 @@ impl Course<'_, '_> {
         let Some(symbols) = self.symbols(at).filter(|_| found.finding.verdict == Verdict::Refuted) else {
             return Ok(gate::as_it_counts(found));
         };
-        let words = prose::before(self.checker.notes, at);
-        let sets = premises::sets(&self.known, &symbols, &words.named);
+        let origin = self.scope.origin_of(at, self.checker.notes.equations.len());
+        let words = prose::before(self.checker.notes, origin);
+        let before: Vec<Premise> = self.known.iter().filter(|premise| premise.at < origin).cloned().collect();
+        let sets = premises::sets(&before, &symbols, &words.named);
         let positive = signs::positive(&self.checker.readings[at], &symbols, self.checker.model);
         if let Some(positive) = &positive
             && let Some(follows) = self.follows_where(at, positive, claim)?
@@ -189,7 +193,7 @@ impl Course<'_, '_> {
                 return Ok(gate::as_it_counts(follows));
             }
         }
-        let solved = solutions::solved((at, &symbols), &self.known, self.checker.readings, self.checker.model);
+        let solved = solutions::solved((at, &symbols), &before, self.checker.readings, self.checker.model);
         for solution in &solved {
             let found = self.equation(&self.quick, at, &solution.claim)?;
             if found.finding.verdict.passes() {
@@ -263,7 +267,10 @@ impl Course<'_, '_> {
             found
         };
         let own = printed(at);
-        own.len() >= FEWEST_RESTATED && (0..at).any(|earlier| printed(earlier) == own)
+        own.len() >= FEWEST_RESTATED && {
+            let origin = self.scope.origin_of(at, self.checker.notes.equations.len());
+            (0..origin).any(|earlier| printed(earlier) == own)
+        }
     }
 
     /// The symbols that a display relates, if it was read.

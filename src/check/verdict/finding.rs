@@ -115,7 +115,18 @@ pub struct Finding {
     pub span: Span,
 }
 
+/// The beginning of the clause of a message that names a mutant which holds.
+pub(crate) const WOULD_HOLD: &str = "; it would hold with ";
+
 impl Finding {
+    /// Takes the mutant that would hold out of the message.
+    pub(crate) fn forget_mutant(&mut self) {
+        if let Some((before, clause)) = self.message.split_once(WOULD_HOLD) {
+            let after = clause.find("; ").map_or("", |end| &clause[end..]);
+            self.message = format!("{before}{after}");
+        }
+    }
+
     /// A finding without evidence.
     pub fn new(code: Code, verdict: Verdict, span: Span, message: impl Into<String>) -> Self {
         Finding {

@@ -87,6 +87,18 @@ pub struct Report {
     pub documents: Vec<Document>,
 }
 
+impl Equation {
+    /// The equation with one proposal: where edits of the text are suggested, the message names no mutant, which may be
+    /// another change.
+    pub(crate) fn with_one_proposal(mut self) -> Equation {
+        if !self.repairs.is_empty() || self.finding.fit.is_some() {
+            self.finding.forget_mutant();
+            self.parts.iter_mut().for_each(|part| part.finding.forget_mutant());
+        }
+        self
+    }
+}
+
 impl Report {
     /// The report of these documents.
     pub fn new(documents: Vec<Document>) -> Report {
@@ -110,6 +122,18 @@ impl Report {
     /// The number of items that are not as expected.
     pub fn unexpected(&self) -> usize {
         self.items().filter(|item| !item.ok).count()
+    }
+
+    /// The exit code where nothing may stay open: as [`exit_code`](Report::exit_code), but 2 where something was not decided
+    /// or not read and no reason is given for it, or a document has no claims file or one with guesses.
+    pub fn strict_exit_code(&self) -> u8 {
+        let is_open = |verdict: Verdict| matches!(verdict, Verdict::Undecided | Verdict::Unreadable | Verdict::Assumed);
+        let undecided = self.items().any(|item| is_open(item.finding.verdict) && item.because.is_none());
+        let unaided = self.documents.iter().any(|document| document.is_guessed);
+        match self.exit_code() {
+            0 if undecided || unaided => 2,
+            code => code,
+        }
     }
 
     /// The exit code. 0: all items are as expected. 1: an item is wrong. 2: an item could not be checked, or there is

@@ -29,8 +29,9 @@ pub(crate) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
         folder(path, &mut jobs)?;
         without_parts(&mut jobs);
         if jobs.is_empty() {
-            return Err(Error::new(format!("there is nothing to check in {}", path.display()))
-                .help("a document is a notes file (.md, .tex) with a claims file (.json) of the same name beside it"));
+            return Err(Error::new(format!("there is nothing to check in {}", path.display())).help(
+                "notes are .md, .tex and other files; a claims file (.json) of the same name beside them is used",
+            ));
         }
         return Ok(jobs);
     }

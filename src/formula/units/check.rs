@@ -274,11 +274,11 @@ impl<'a> UnitCheck<'a> {
         };
         let [first, second] = [a, b].map(|pooled| self.says(known, pooled.expr, &pooled.found));
         let origins = [a, b].into_iter().flat_map(|pooled| known.reduce(&pooled.found).1).collect();
-        let message = format!("{first} and {second}: they cannot {verb}");
+        let message = format!("{first} and {second}, so they cannot {verb}");
         Mismatch { span: pool[culprit].expr.span, message, origins }
     }
 
-    /// `“M·g” is kg m s⁻²`.
+    /// `“M·g” is in kg m s⁻²`.
     fn says(&self, known: &Inference, expr: &Expr, found: &Affine) -> String {
         const LONGEST: usize = 60;
         let mut quote = text::formula(expr, self.symbols);
@@ -286,7 +286,11 @@ impl<'a> UnitCheck<'a> {
             quote.truncate(end);
             quote.push('…');
         }
-        format!("“{quote}” is {}", self.show(known, found))
+        let unit = self.show(known, found);
+        match unit.as_str() {
+            "dimensionless" => format!("“{quote}” is {unit}"),
+            _ => format!("“{quote}” is in {unit}"),
+        }
     }
 
     fn show(&self, known: &Inference, found: &Affine) -> String {

@@ -107,22 +107,19 @@ impl Reader<'_> {
     /// The symbol by which a derivative is taken, with its dots.
     fn variable(&mut self, item: &Item) -> Read<Variable> {
         let Some(printed) = names::printed(item, self.branch) else {
-            return Err(Fault::unsupported(
-                item.span,
-                "a derivative is supported by a symbol or one of its rates only",
-            ));
+            return Err(Fault::unsupported(item.span, "a derivative must be by a symbol, or by a rate of it"));
         };
         if let Some((id, indices)) = self.symbols.find_or_assemble(&printed.name) {
             let entry = self.symbols.entry(id);
             if entry.kind != Kind::Scalar || entry.squared {
                 return Err(Fault::unsupported(item.span, "a derivative by a vector or a matrix is not supported")
-                    .help("write it for each component"));
+                    .help("write a derivative by each component"));
             }
             return Ok(Variable { id, indices, dots: printed.dots });
         }
         if self.symbols.open && ["\\vec{", "\\mathbf{"].iter().any(|mark| printed.name.base.contains(mark)) {
             return Err(Fault::unsupported(item.span, "a derivative by a vector or a matrix is not supported")
-                .help("write it for each component"));
+                .help("write a derivative by each component"));
         }
         if self.symbols.open
             && let Some(id) = self.symbols.add(printed.name.clone(), Kind::Scalar)

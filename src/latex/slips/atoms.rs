@@ -11,7 +11,8 @@ use super::finder::Finder;
 use super::parts::is_big;
 
 /// The groups of functions that authors confuse.
-const FUNCTIONS: [&[&str]; 3] = [&["\\sin", "\\cos", "\\tan"], &["\\cot", "\\tan"], &["\\sinh", "\\cosh", "\\tanh"]];
+const FUNCTIONS: [&[&str]; 4] =
+    [&["\\sin", "\\cos", "\\tan"], &["\\cot", "\\tan"], &["\\sinh", "\\cosh", "\\tanh"], &["\\coth", "\\tanh"]];
 
 impl Finder<'_> {
     /// Slips in an item and in its parts.
@@ -21,7 +22,10 @@ impl Finder<'_> {
         }
         match &item.layout {
             Layout::Number(digits) => {
-                self.number(item.span, digits, None);
+                // Nobody writes the sine of 1α.
+                let before = self.text[..item.span.start].trim_end();
+                let is_multiple = FUNCTIONS.iter().copied().flatten().any(|function| before.ends_with(function));
+                self.number(item.span, digits, Some("1").filter(|_| is_multiple && self.pool.is_some()));
                 self.number_of_root(item.span, digits);
             }
             Layout::Command(command) => self.function(item.span, command),
@@ -167,7 +171,12 @@ impl Finder<'_> {
             }
         } else if !is_mark(inner) {
             match &sup.layout {
-                Layout::Group(items) => self.list(items),
+                Layout::Group(items) => {
+                    self.list(items);
+                    if self.pool.is_some() {
+                        self.quotients(items);
+                    }
+                }
                 // A factor beside it needs braces.
                 _ => {
                     let bare = self.slice(sup.span).to_owned();

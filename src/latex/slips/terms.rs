@@ -198,7 +198,7 @@ impl Finder<'_> {
         }
     }
 
-    /// `2 \cos\theta` for `\cos 2\theta`, and the other way round.
+    /// `2 \cos\theta` for `\cos 2\theta`, and the other way round; the 2 lost, or one too many.
     fn multiple_angle(&mut self, factors: &[Factor<'_>], at: usize) {
         let is_number = |item: &Item| matches!(item.layout, Layout::Number(_));
         let factor = &factors[at];
@@ -206,6 +206,12 @@ impl Finder<'_> {
             [function, .., number] if is_function(function) && is_number(number) => {
                 let outside = format!("{} {}", self.slice(number.span), self.slice(function.span));
                 self.edit(Slip::Function, factor.span(), outside);
+                if factors.get(at + 1).is_some_and(|next| next.operator.is_none()) {
+                    self.edit(Slip::Number, number.span, "");
+                }
+            }
+            [function, argument] if is_function(function) && names::printed(argument, None).is_some() => {
+                self.edit(Slip::Number, Span::at(argument.span.start), " 2 ");
             }
             [number] if is_number(number) => {
                 let Some(Factor { operator: None, items: [function, rest @ ..] }) = factors.get(at + 1) else { return };
@@ -216,6 +222,22 @@ impl Finder<'_> {
                 }
             }
             _ => {}
+        }
+    }
+
+    /// A quotient where a product is printed, as in `e^{-t/(RC)}` for `e^{-tRC}`.
+    pub(super) fn quotients(&mut self, items: &[Item]) {
+        for term in formulas(items).into_iter().flatten() {
+            let factors = self.factors(term.items);
+            if factors.iter().any(|factor| factor.operator.is_some() || is_big(&factor.items[0])) {
+                continue;
+            }
+            let (Some(first), Some(last)) = (factors.first(), factors.last()) else { continue };
+            for (before, after) in factors.iter().zip(factors.iter().skip(1)) {
+                let above = self.slice(first.span().to(before.span())).to_owned();
+                let below = self.slice(after.span().to(last.span())).to_owned();
+                self.edit(Slip::Fraction, first.span().to(last.span()), format!("\\frac{{{above}}}{{{below}}}"));
+            }
         }
     }
 

@@ -84,7 +84,7 @@ impl<'a> Fields<'a> {
             None => Ok(None),
             Some(Json { value: Value::Bool(true), span }) => Ok(Some(*span)),
             Some(Json { value: Value::Bool(false), span }) => {
-                Err(Fault::claims(*span, format!("\"{name}\" can only be true")).help("remove the key"))
+                Err(Fault::claims(*span, format!("\"{name}\" takes no value but true")).help("remove the key"))
             }
             Some(json) => Err(wrong(json, name, "true")),
         }

@@ -179,7 +179,7 @@ fn continua_that_are_none() {
         (r#""mass per volume": "\\rho""#, "does not name the point", r#""\\rho""#),
         (r#""mass per volume": "(\\vec r)""#, "does not name the point", r#""(\\vec r)""#),
         (&format!("{per_volume}, \"particles\": \"m_i\""), "does not name a mass and its position", "\"m_i\""),
-        (&format!("{per_volume}, \"uniform\": false"), "can only be true", "false"),
+        (&format!("{per_volume}, \"uniform\": false"), "takes no value but true", "false"),
         (&format!("{per_volume}, \"made of\": []"), "must be a list of bodies", "[]"),
         (
             &format!("{per_volume}, \"made of\": [{{ \"at\": \"x\" }}]"),

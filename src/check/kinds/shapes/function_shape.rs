@@ -67,7 +67,7 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
         return context.finding(
             Code::VariableAbsent,
             Verdict::Undecided,
-            format!("{} does not occur in the formula", model.name(variable)),
+            format!("{} does not occur in the formula; correct the name", text::plain(&model.name(variable))),
         );
     }
     let speaks_of_it = |c: &&Hypothesis| [&c.lhs, &c.rhs].into_iter().any(|side| mentions(side, variable));

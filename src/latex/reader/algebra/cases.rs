@@ -63,7 +63,9 @@ impl Reader<'_> {
             let rest = trimmed(rest);
             return match rest.iter().all(|item| names::printed(item, None).is_some() || is_blank(item)) {
                 true => Ok(Stated::Holds(Vec::new())),
-                false => Err(Fault::unsupported(first.span, "“for all” is supported before names only")),
+                false => {
+                    Err(Fault::unsupported(first.span, "“for all” must be followed by names alone, as in “for all x”"))
+                }
             };
         }
         if let [Item { layout: Layout::Fence(Delimiter::Round, inside), .. }] = items

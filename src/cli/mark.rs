@@ -13,7 +13,7 @@ use crate::report::marks::{self, Hints};
 use crate::systems::Registry;
 use crate::{Error, Result};
 
-use crate::cli::outcome::{Outcome, Screen, shown};
+use super::outcome::{Outcome, Screen, shown};
 
 /// Marks hand-ins: each line against a problem, and against the lines before it
 ///
@@ -69,7 +69,7 @@ pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     let mut errors = errors;
     if let Some(folder) = &arguments.out {
         let pages = page::class_pages(&arguments.claims.display().to_string(), &class, hints);
-        errors.extend(super::report::write(folder, &pages).err());
+        errors.extend(super::pages::report::write(folder, &pages).err());
     }
     let output = match arguments.format {
         Form::Text if class.is_empty() => String::new(),

@@ -12,9 +12,9 @@ use crate::plot;
 use crate::systems::Registry;
 use crate::{Error, Result};
 
-use super::subject::Subject;
 use crate::cli::check;
 use crate::cli::outcome::{Outcome, Screen, shown};
+use crate::cli::system::subject::Subject;
 
 /// Writes pages that show every equation typeset, with its verdict and the evidence
 ///
@@ -98,7 +98,7 @@ const SEED: u64 = 1;
 ///
 /// # Errors
 /// When the folder or a file cannot be written.
-pub(super) fn write(folder: &Path, pages: &[page::Page]) -> Result<()> {
+pub(in crate::cli) fn write(folder: &Path, pages: &[page::Page]) -> Result<()> {
     let failed = |path: &Path, error: &std::io::Error| {
         Error::new(format!("cannot write {}: {}", path.display(), reason(error)))
             .help("name a folder under --out that can be written")
