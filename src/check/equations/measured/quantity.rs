@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use crate::formula::evaluate::constant_exponent;
 use crate::formula::tree::Function;
+use crate::formula::units::in_si::has_units;
 use crate::formula::units::{Dimension, Ratio, Unit};
 use crate::formula::{Expr, Node, Sign};
 use crate::scalar::interval::Interval;
@@ -174,9 +175,32 @@ pub(super) fn quantity(expr: &Expr) -> Result<Quantity, Trouble> {
             let inner = quantity(inner)?;
             Ok(Quantity { value: inner.value.abs(), range: inner.range.abs(), ..inner })
         }
+        // `\sin 30` is the sine of 30 degrees for some authors.
+        Node::Call(function, argument) if is_angle(*function) && !says_radians(argument) => Err(Trouble::NoValue),
         Node::Call(function, argument) => call(*function, without_unit(argument)?),
         _ => Err(Trouble::NoValue),
     }
+}
+
+fn is_angle(function: Function) -> bool {
+    use Function::{Cos, Cot, Csc, Sec, Sin, Tan};
+    matches!(function, Sin | Cos | Tan | Cot | Sec | Csc)
+}
+
+/// Whether an angle has a unit, or is a multiple of π.
+fn says_radians(angle: &Expr) -> bool {
+    let mut says = has_units(angle);
+    angle.walk(&mut |part| says |= part.node == Node::Pi);
+    says
+}
+
+/// Whether a formula has an inverse function of angles, whose value some authors print in degrees without a sign.
+pub(super) fn has_inverse(expr: &Expr) -> bool {
+    let mut found = false;
+    expr.walk(&mut |part| {
+        found |= matches!(part.node, Node::Call(Function::Arcsin | Function::Arccos | Function::Arctan, _));
+    });
+    found
 }
 
 fn added(a: Quantity, b: Quantity, place: Span) -> Result<Quantity, Trouble> {
