@@ -28,8 +28,8 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     match entries(arguments) {
         Ok((entries, unit)) => Outcome::done(match (arguments.format, &entries[..]) {
             (Format::Text, entries) => {
-                let entries = entries.iter().map(|(value, error)| decimal(*value, *error));
-                entries.chain(unit).collect::<Vec<_>>().join(" ") + "\n"
+                let shown = entries.iter().map(|(value, error)| decimal(*value, *error));
+                shown.chain(unit).collect::<Vec<_>>().join(" ") + "\n"
             }
             (Format::Json, entries) => {
                 let values: Vec<f64> = entries.iter().map(|(value, _)| *value).collect();
@@ -62,8 +62,8 @@ fn decimal(value: f64, error: f64) -> String {
     }
 }
 
-/// The value of the formula, with a bound of its rounding error: one number, or the entries of a vector or a
-/// matrix; and its unit, if units stand in it.
+/// The value of the formula, one number or the entries of a vector or a matrix, each with a bound of its rounding error; and
+/// its unit, if units stand in it.
 fn entries(arguments: &Arguments) -> Result<(Vec<(f64, f64)>, Option<String>)> {
     let formula = Formula::read(&arguments.formula)?;
     let values = arguments.values.iter().map(|pair| setting(pair)).collect::<Result<Vec<_>>>()?;

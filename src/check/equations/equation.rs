@@ -362,6 +362,7 @@ impl Checker<'_> {
             let finding = context.for_every_function(finding, &[&link.lhs, &link.rhs]);
             links.push(JudgedLink { at, finding, relation: *relation });
         }
+        self.zeros(statement, &mut links, context)?;
         let mut parts = Vec::new();
         let mistakes = match claim.dropping.is_none() && claim.continuum_limit_of.is_none() {
             true => {
