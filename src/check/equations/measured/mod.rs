@@ -167,7 +167,8 @@ fn undecided(context: &Context<'_>, message: impl Into<String>) -> Finding {
 }
 
 fn misfit_of_terms(trouble: &Trouble, side: &Expr, context: &Context<'_>) -> Option<Finding> {
-    let Trouble::Misfit(_, first, second) = trouble else { return None };
+    let Trouble::Misfit(units) = trouble else { return None };
+    let [first, second] = units.as_ref();
     if quantity::any_unit(side, |unit| unit.is_natural()) {
         return Some(undecided(context, "terms with different units are equal only where constants of nature are 1"));
     }
@@ -183,7 +184,7 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
             Ok(found) => values.push(found),
             Err(trouble) => {
                 return misfit_of_terms(&trouble, side, context).unwrap_or_else(|| match trouble {
-                    Trouble::LacksUnit(_) => undecided(context, "a term has no unit beside one that has"),
+                    Trouble::LacksUnit => undecided(context, "a term has no unit beside one that has"),
                     _ => undecided(context, "this formula of numbers has no value here"),
                 });
             }
