@@ -166,9 +166,10 @@ impl Course<'_, '_> {
         let none = Claim::default();
         let claim = self.checker.assigned[at].unwrap_or(&none);
         let found = self.by_itself(at)?;
-        // Numbers are wrong by themselves, whatever the letters mean.
+        // Numbers are wrong by themselves, whatever the letters mean, unless they are only supposed.
         if found.finding.code == Code::NumbersDiffer {
-            return Ok(found);
+            let is_supposed = prose::before(self.checker.notes, at).announced == Announced::Assumption;
+            return Ok(if is_supposed { gate::as_it_counts(found) } else { found });
         }
         if found.finding.verdict == Verdict::Refuted
             && gate::lost_derivative(&self.checker.readings[at], &self.checker.notes.equations[at])

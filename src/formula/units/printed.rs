@@ -202,6 +202,11 @@ impl Unit {
         self.is_degree() || UNITS[self.place].symbol == "%"
     }
 
+    /// Whether its letter stands for something else as often: `25 C` is a temperature, and `3 g` an acceleration.
+    pub fn is_doubtful(self) -> bool {
+        self.prefix.is_none() && ["C", "F", "g"].contains(&UNITS[self.place].symbol)
+    }
+
     /// Whether it is a degree, whose size is π/180.
     pub fn is_degree(self) -> bool {
         UNITS[self.place].symbol == DEGREE

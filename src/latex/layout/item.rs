@@ -1,9 +1,9 @@
 //! The layout tree: what is typeset, and the bytes that it came from.
 
+use crate::formula::units::Unit;
 use crate::source::{Fault, Span};
 
 use super::super::lexer::Space;
-use super::units::Units;
 
 /// One typeset thing and its bytes.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,6 +64,21 @@ pub enum Layout {
     Align,
     /// Something that was not understood.
     Fault(Fault),
+}
+
+/// A product of powers of units, as it was printed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Units {
+    /// The units with their exponents.
+    pub factors: Vec<(Unit, i32)>,
+    /// Why it may be read in two ways.
+    pub fault: Option<Fault>,
+    /// What was printed, without a meaning.
+    pub plain: Vec<Item>,
+    /// Whether a slash stands in it, after which one more factor would be ambiguous.
+    pub(super) divides: bool,
+    /// Whether it is one upright letter without `\text`, which may be a name.
+    pub(super) is_letter: bool,
 }
 
 /// A pair of delimiters.

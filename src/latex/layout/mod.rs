@@ -26,10 +26,9 @@ mod text;
 mod units;
 pub(crate) mod values;
 
-pub use item::{Delimiter, Item, Layout};
+pub use item::{Delimiter, Item, Layout, Units};
 pub use parser::layout;
 #[cfg(feature = "notes")]
 pub(crate) use print::latex;
 #[cfg(feature = "notes")]
 pub(crate) use text::typeset_items;
-pub use units::Units;

@@ -84,6 +84,8 @@ fn a_declared_name_is_no_unit() {
     let reading = read_display(r"2\,\mathrm{m}", &mut symbols, &Macros::default());
     let read = reading.statements[0].as_ref().expect("it is read");
     assert_eq!(read.members[0].symbols().len(), 1, "m is the symbol");
+    add(&mut symbols, r"\Omega", Kind::Scalar);
+    assert_eq!(read_with(r"2\,\text{k}\Omega", &mut symbols), "2·kΩ");
     let reading = read_display(r"2\,\mathrm{s}", &mut symbols, &Macros::default());
     assert!(reading.statements[0].as_ref().expect("it is read").members[0].symbols().is_empty());
 }

@@ -12,9 +12,11 @@ mod natural;
 mod quantity;
 mod substitution;
 
+use std::f64::consts::TAU;
+
 use crate::code::Code;
 use crate::formula::units::in_si::has_units;
-use crate::formula::units::{Dimension, UnitCheck};
+use crate::formula::units::{Dimension, Unit, UnitCheck};
 use crate::formula::{Expr, Node, Relation, Statement, text};
 use crate::notes::claims::Claim;
 
@@ -71,6 +73,8 @@ impl Checker<'_> {
             ([true, true], _) if statement.branch.is_some() => {
                 Some(undecided(context, "numbers with ± are not compared"))
             }
+            // What has no unit and is no rounded number, such as a matrix, is judged as any other formula.
+            ([true, true], [false, false]) if sides.iter().any(|side| quantity(side).is_err()) || agree(&sides) => None,
             ([true, true], _) => Some(judged(left, right, is_approximate, context)),
             ([false, true], [_, true]) | ([true, false], [true, _]) => {
                 let (formula, printed) = if is_number[1] { (0, right) } else { (1, left) };
@@ -152,12 +156,19 @@ impl Checker<'_> {
     }
 }
 
+/// Whether two numbers are the same.
+fn agree(sides: &[Expr; 2]) -> bool {
+    let [Ok(a), Ok(b)] = sides.each_ref().map(quantity) else { return false };
+    (a.value - b.value).abs() <= EQUAL * a.value.abs().max(b.value.abs())
+}
+
 fn undecided(context: &Context<'_>, message: impl Into<String>) -> Finding {
     context.finding(Code::NotDecided, Verdict::Undecided, message)
 }
 
 fn misfit_of_terms(trouble: &Trouble, side: &Expr, context: &Context<'_>) -> Option<Finding> {
-    let Trouble::Misfit(_, first, second) = trouble else { return None };
+    let Trouble::Misfit(units) = trouble else { return None };
+    let [first, second] = units.as_ref();
     if quantity::any_unit(side, |unit| unit.is_natural()) {
         return Some(undecided(context, "terms with different units are equal only where constants of nature are 1"));
     }
@@ -173,7 +184,7 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
             Ok(found) => values.push(found),
             Err(trouble) => {
                 return misfit_of_terms(&trouble, side, context).unwrap_or_else(|| match trouble {
-                    Trouble::LacksUnit(_) => undecided(context, "a term has no unit beside one that has"),
+                    Trouble::LacksUnit => undecided(context, "a term has no unit beside one that has"),
                     _ => undecided(context, "this formula of numbers has no value here"),
                 });
             }
@@ -206,6 +217,9 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
     let share = if is_approximate { ROUGHLY } else { STEPS };
     let slack = printed.iter().flatten().map(Printed::digit).fold(share * size, f64::max);
     let is_apart = a.range.low - slack > b.range.high || b.range.low - slack > a.range.high;
+    if is_apart && let Some(reason) = by_custom([left, right], [a, b]) {
+        return undecided(context, reason);
+    }
     let (computed, shown) = match &printed {
         [_, Some(right)] => (a.value, right),
         [Some(left), _] => (b.value, left),
@@ -229,6 +243,22 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
     }
 }
 
+/// Why numbers that differ may be meant as equal: by a custom of authors that is no slip.
+fn by_custom(sides: [&Expr; 2], [a, b]: [Quantity; 2]) -> Option<&'static str> {
+    const NEAR: f64 = 0.02;
+    let is_ratio = |wanted: f64| [a.value / b.value, b.value / a.value].iter().any(|r| (r / wanted - 1.0).abs() < NEAR);
+    let any_unit = |is_it: fn(Unit) -> bool| sides.iter().any(|side| quantity::any_unit(side, is_it));
+    if any_unit(|unit| unit.is_sign() && !unit.is_degree()) && is_ratio(100.0) {
+        return Some("a factor of 100 may be meant as the percent sign");
+    }
+    if a.dimension == Dimension::of(0, 0, -1) && is_ratio(TAU) {
+        return Some("a number of turns may be meant as an angle");
+    }
+    let in_degrees = any_unit(Unit::is_degree);
+    (!in_degrees && sides.iter().any(|side| quantity::has_inverse(side)))
+        .then_some("the angle may be printed in degrees without their sign")
+}
+
 /// The finding on two quantities with different units.
 fn of_units(sides: [&Expr; 2], [a, b]: [Quantity; 2], context: &Context<'_>) -> Finding {
     let is_count = |dimension: Dimension| {
@@ -237,6 +267,9 @@ fn of_units(sides: [&Expr; 2], [a, b]: [Quantity; 2], context: &Context<'_>) -> 
         others == a.dimension
     };
     let is_natural = sides.iter().any(|side| quantity::any_unit(side, |unit| unit.is_natural()));
+    if sides.iter().any(|side| quantity::any_unit(side, |unit| unit.is_doubtful())) {
+        return undecided(context, "a letter may be another unit here: C a degree of temperature, g an acceleration");
+    }
     if a.dimension.is_none() || b.dimension.is_none() {
         return undecided(context, "one side has a unit, and the other is a number without a unit");
     }

@@ -1,5 +1,7 @@
 //! Quantities of two units that are one where constants of nature are 1: a second and 3·10⁸ metres, a kelvin and 0.086 meV.
 
+use std::f64::consts::TAU;
+
 use crate::formula::units::{Dimension, Ratio};
 
 use super::quantity::Quantity;
@@ -23,8 +25,12 @@ pub(super) fn are_equal(a: Quantity, b: Quantity) -> bool {
     let by_gravity = (-kg, m + 3 * kg, -s + 2 * kg, 2);
     [by_action, by_gravity].into_iter().any(|(power, of_c, again, constant)| {
         let factor = CONSTANTS[0].powi(of_c) * CONSTANTS[constant].powi(power) * CONSTANTS[3].powi(-kelvin);
-        let expected = b.value * factor;
-        of_c == again && (a.value - expected).abs() <= NEAR * a.value.abs().max(expected.abs())
+        // Of h and ħ both are taken for 1.
+        let is_near = |turns: f64| {
+            let expected = b.value * factor * turns;
+            (a.value - expected).abs() <= NEAR * a.value.abs().max(expected.abs())
+        };
+        of_c == again && [1.0, TAU, 1.0 / TAU].into_iter().any(is_near)
     })
 }
 
@@ -55,6 +61,7 @@ mod tests {
             (quantity(300.0, "K"), quantity(4.14e-21, "J")),
             (quantity(1.99e30, "kg"), quantity(1477.0, "m")),
             (quantity(1.602e-10, "J"), quantity(5.07e15, "m^-1")),
+            (quantity(100.0, "m^-1"), quantity(1.99e-23, "J")),
         ] {
             assert!(are_equal(a, b) && are_equal(b, a), "{a:?} {b:?}");
         }

@@ -4,10 +4,10 @@ use std::f64::consts::PI;
 
 use crate::formula::evaluate::constant_exponent;
 use crate::formula::tree::Function;
+use crate::formula::units::in_si::has_units;
 use crate::formula::units::{Dimension, Ratio, Unit};
 use crate::formula::{Expr, Node, Sign};
 use crate::scalar::interval::Interval;
-use crate::source::Span;
 
 /// The largest relative spread of a whole number: of 5 kg nobody means 5.4 kg, and of 57 kg perhaps 57.4 kg.
 const OF_WHOLE: f64 = 0.05;
@@ -26,10 +26,10 @@ pub(super) struct Quantity {
 /// Why a formula has no value.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Trouble {
-    /// The terms of a sum have two units; the place of the second.
-    Misfit(Span, Dimension, Dimension),
+    /// The terms of a sum have two units.
+    Misfit(Box<[Dimension; 2]>),
     /// A term of a sum is a number and another has a unit, or a function has an argument with a unit.
-    LacksUnit(Span),
+    LacksUnit,
     /// Anything else.
     NoValue,
 }
@@ -123,7 +123,7 @@ pub(super) fn quantity(expr: &Expr) -> Result<Quantity, Trouble> {
                 };
                 sum = Some(match sum {
                     None => found,
-                    Some(sum) => added(sum, found, term.expr.span)?,
+                    Some(sum) => added(sum, found)?,
                 });
             }
             sum.ok_or(Trouble::NoValue)
@@ -174,19 +174,42 @@ pub(super) fn quantity(expr: &Expr) -> Result<Quantity, Trouble> {
             let inner = quantity(inner)?;
             Ok(Quantity { value: inner.value.abs(), range: inner.range.abs(), ..inner })
         }
+        // `\sin 30` is the sine of 30 degrees for some authors.
+        Node::Call(function, argument) if is_angle(*function) && !says_radians(argument) => Err(Trouble::NoValue),
         Node::Call(function, argument) => call(*function, without_unit(argument)?),
         _ => Err(Trouble::NoValue),
     }
 }
 
-fn added(a: Quantity, b: Quantity, place: Span) -> Result<Quantity, Trouble> {
+fn is_angle(function: Function) -> bool {
+    use Function::{Cos, Cot, Csc, Sec, Sin, Tan};
+    matches!(function, Sin | Cos | Tan | Cot | Sec | Csc)
+}
+
+/// Whether an angle has a unit, or is a multiple of π.
+fn says_radians(angle: &Expr) -> bool {
+    let mut says = has_units(angle);
+    angle.walk(&mut |part| says |= part.node == Node::Pi);
+    says
+}
+
+/// Whether a formula has an inverse function of angles, whose value some authors print in degrees without a sign.
+pub(super) fn has_inverse(expr: &Expr) -> bool {
+    let mut found = false;
+    expr.walk(&mut |part| {
+        found |= matches!(part.node, Node::Call(Function::Arcsin | Function::Arccos | Function::Arctan, _));
+    });
+    found
+}
+
+fn added(a: Quantity, b: Quantity) -> Result<Quantity, Trouble> {
     match (a.dimension.is_none(), b.dimension.is_none()) {
         _ if a.dimension == b.dimension => {}
         // A zero needs no unit.
         (true, _) if a.value == 0.0 => return Ok(b),
         (_, true) if b.value == 0.0 => return Ok(a),
-        (true, _) | (_, true) => return Err(Trouble::LacksUnit(place)),
-        _ => return Err(Trouble::Misfit(place, a.dimension, b.dimension)),
+        (true, _) | (_, true) => return Err(Trouble::LacksUnit),
+        _ => return Err(Trouble::Misfit(Box::new([a.dimension, b.dimension]))),
     }
     Ok(Quantity { value: a.value + b.value, range: a.range.plus(b.range), ..a })
 }
@@ -210,7 +233,7 @@ fn power(base: &Expr, exponent: &Expr) -> Result<Quantity, Trouble> {
         return Ok(Quantity { value: base.value.powf(exponent.value), range, ..base });
     };
     let below = i64::try_from(ratio.denominator).map_err(|_| Trouble::NoValue)?;
-    let above = i64::try_from(ratio.numerator).map_err(|_| Trouble::NoValue)?;
+    let above = ratio.numerator;
     let dimension = inner.dimension.power(Ratio::new(above, below));
     match i32::try_from(above) {
         Ok(above) if below == 1 => {
@@ -232,7 +255,7 @@ fn without_unit(expr: &Expr) -> Result<Quantity, Trouble> {
     let found = quantity(expr)?;
     match found.dimension.is_none() {
         true => Ok(found),
-        false => Err(Trouble::LacksUnit(expr.span)),
+        false => Err(Trouble::LacksUnit),
     }
 }
 

@@ -7,27 +7,11 @@
 mod places;
 mod spelled;
 
-use crate::formula::units::Unit;
 use crate::source::{Fault, Span};
 
-use super::item::{Item, Layout};
+use super::item::{Item, Layout, Units};
 
 pub(super) use places::settled;
-
-/// A product of powers of units, as it was printed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Units {
-    /// The units with their exponents.
-    pub factors: Vec<(Unit, i32)>,
-    /// Why it may be read in two ways.
-    pub fault: Option<Fault>,
-    /// What was printed, without a meaning.
-    pub plain: Vec<Item>,
-    /// Whether a slash stands in it, after which one more factor would be ambiguous.
-    divides: bool,
-    /// Whether it is one upright letter without `\text`, which may be a name.
-    is_letter: bool,
-}
 
 impl Units {
     fn none() -> Units {

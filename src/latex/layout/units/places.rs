@@ -4,8 +4,8 @@ use crate::formula::units::Unit;
 use crate::source::{Fault, Span};
 
 use super::super::super::lexer::Space;
-use super::super::item::{Delimiter, Item, Layout};
-use super::{Units, exponent};
+use super::super::item::{Delimiter, Item, Layout, Units};
+use super::exponent;
 
 /// The same items, in which words that spell units are units where these can stand, and words elsewhere.
 pub(in super::super) fn settled(items: Vec<Item>) -> Vec<Item> {

@@ -4,8 +4,8 @@ use crate::formula::units::Unit;
 use crate::source::{Fault, Span};
 
 use super::super::super::lexer::Space;
-use super::super::item::{Delimiter, Item, Layout};
-use super::{Units, exponent};
+use super::super::item::{Delimiter, Item, Layout, Units};
+use super::exponent;
 
 /// The units that the argument of `\text` or `\mathrm` spells, if it spells nothing else. `is_text` says that it is `\text`.
 pub(super) fn candidate(whole: &Item, argument: &Item, is_text: bool) -> Option<Units> {

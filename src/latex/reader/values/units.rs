@@ -12,7 +12,8 @@ use super::super::state::{Read, Reader};
 impl Reader<'_> {
     /// Units after a number. Where what is printed is the name of a symbol, it is that symbol.
     pub(in super::super) fn units(&mut self, units: &Units, span: Span) -> Read<Expr> {
-        if units.plain.iter().any(|item| self.names_a_symbol(item)) {
+        let is_alone = units.plain.len() == 1;
+        if units.plain.iter().any(|item| self.names_a_symbol(item, is_alone)) {
             return self.sum(&units.plain, span);
         }
         if let Some(fault) = &units.fault {
@@ -33,12 +34,14 @@ impl Reader<'_> {
         })
     }
 
-    fn names_a_symbol(&self, item: &Item) -> bool {
+    /// Whether an item is the name of a symbol. The Ω of `\text{k}\Omega` is none, whatever Ω is elsewhere.
+    fn names_a_symbol(&self, item: &Item, is_alone: bool) -> bool {
         let item = match &item.layout {
             Layout::Scripts { nucleus, sub: None, .. } => nucleus,
             _ => item,
         };
-        names::printed(item, self.branch).is_some_and(|printed| self.symbols.find(&printed.name).is_some())
+        let may_be = is_alone || matches!(item.layout, Layout::Style(..));
+        may_be && names::printed(item, self.branch).is_some_and(|printed| self.symbols.find(&printed.name).is_some())
     }
 }
 

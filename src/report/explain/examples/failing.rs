@@ -18,6 +18,11 @@ pub(super) const FAILING: &[Example] = &[
         ],
     },
     Example {
+        word: "numbers-differ",
+        command: "onshell check notes.md",
+        files: &[("notes.md", r"$$ v = 9.8\,\text{m/s}^2 \times 2.0\,\text{s} = 196\,\text{m/s} $$")],
+    },
+    Example {
         word: "inequality-fails",
         command: "onshell check notes.md",
         files: &[
