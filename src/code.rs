@@ -109,7 +109,7 @@ codes! {
     ///
     /// `verified` rests on numbers: the states are drawn at random, obey the hypotheses, and tell the claim from
     /// each mutant of it. `certified` adds an exact test modulo a prime, with the probability of a false pass.
-    /// For example, `(a + b)^2 = a^2 + 2ab + b^2` holds always, and `\ddot\theta = -(g/l)\sin\theta` on shell.
+    /// For example, `(a + b)^2 = a^2 + 2ab + b^2` holds always. An equation of motion holds on shell.
     Holds = "holds",
     /// The two sides of an equation differ at a sampled state, which is given.
     ///

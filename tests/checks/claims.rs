@@ -156,7 +156,8 @@ fn a_limit_is_at_its_end_with_its_coefficient() {
 #[test]
 fn what_grows_beyond_all_doubles_or_swings_approaches_nothing() {
     let limit = |latex: &str| verdict(&numbers(), &[latex], json!({ "limit": r"a \to \infty" }));
-    for wrong in [r"\sinh a \approx a", r"\cosh a \approx a", r"e^a \approx a", r"\frac{\sinh^2 a}{\cosh a} \approx a"] {
+    for wrong in [r"\sinh a \approx a", r"\cosh a \approx a", r"e^a \approx a", r"\frac{\sinh^2 a}{\cosh a} \approx a"]
+    {
         assert_eq!(limit(wrong), Refuted, "{wrong}");
     }
     assert!(!limit(r"\tanh a \approx \sin a").passes());

@@ -447,7 +447,10 @@ fn a_declared_name_that_nothing_determines_is_named() {
     says(&run, &["F is declared in the claims file, and nothing determines it", "under \"laws\""]);
     // Where a law or the other side has the name, the two sides differ and no more.
     let law = "$$ F = m \\ddot x \\tag{1} $$\n\n$$ F = 2 m \\ddot x \\tag{2} $$\n";
-    is_silent(&check("determined", law, &merged(force, json!({ "laws": { "Newton": "1" } }))), &["nothing determines it"]);
+    is_silent(
+        &check("determined", law, &merged(force, json!({ "laws": { "Newton": "1" } }))),
+        &["nothing determines it"],
+    );
     is_silent(&check("determined-2", "$$ a = a + b \\tag{1} $$\n", &numbers(json!({}))), &["nothing determines it"]);
 }
 

@@ -205,9 +205,9 @@ impl Guess {
                 continue;
             }
             let is_vector = ["\\vec{", "\\mathbf{", "\\boldsymbol{", "\\bm{"].iter().any(|mark| name.starts_with(mark));
-            let is_argument = usages.iter().any(|other| {
-                other.given && other.arguments.as_ref().is_some_and(|of| of.contains(&usage.name))
-            });
+            let is_argument = usages
+                .iter()
+                .any(|other| other.given && other.arguments.as_ref().is_some_and(|of| of.contains(&usage.name)));
             let moves = usage.moves || is_of_time(usage);
             let range = match (is_vector, usage.angle, usage.positive) {
                 (true, ..) => "any",
