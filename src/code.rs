@@ -74,6 +74,11 @@ codes! {
     ///
     /// For example, `E = m v` with E declared as an energy. Correct the term, or the declaration under `units`.
     UnitMismatch = "unit-mismatch",
+    /// The dimensions in this display contradict those that all other displays agree on, and one exponent would repair them.
+    ///
+    /// For example, `E^2 = p^2c^2 + m^2c^2` beside `E = \gamma m c^2` and `p = \gamma m v`: c would be a pure number. Notes
+    /// without a claims file only.
+    DimensionsConflict = "dimensions-conflict",
     /// The text is not a unit of the SI.
     ///
     /// For example, `Nm` for `N m`. Write factors with a space between them and one
@@ -117,6 +122,11 @@ codes! {
     /// With laws in the claims file the message is: this does not follow from the law.
     /// Compare the two values, look at the suggestion, and correct the equation or the claims file.
     SidesDiffer = "sides-differ",
+    /// The printed result of numbers is not what the numbers give, or its unit is another one.
+    ///
+    /// For example, `9.8\,\text{m/s}^2 \times 2.0\,\text{s} = 196\,\text{m/s}`. No numbers that are rounded to the printed
+    /// ones give the result. Correct the number, the power of ten or the unit that slipped.
+    NumbersDiffer = "numbers-differ",
     /// An inequality, or `\neq`, fails at a state that obeys all hypotheses.
     ///
     /// For example, `x^2 > 0` fails at x = 0. States are drawn at random, at the boundary of the inequality, and by

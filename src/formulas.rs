@@ -8,6 +8,8 @@ use std::sync::Arc;
 use crate::check::Options;
 use crate::check::kinds::compare::{self, Comparison};
 use crate::code::Code;
+use crate::formula::units::in_si::{has_units, in_si};
+use crate::formula::units::{Affine, Dimension, UnitCheck};
 use crate::formula::{Assignment, Expr, Node, Statement, Symbols, Unavailable, Value, evaluate, text};
 use crate::latex::{Macros, names, read_display};
 use crate::notes::claims::Range;
@@ -100,7 +102,7 @@ impl Formula {
         self.statement.members.iter().map(alone).collect()
     }
 
-    /// The value of a formula; each letter needs a value, and each dotted letter one of its own: `(r"\dot x", 0.83)`.
+    /// The value of a formula, in units of the SI where units stand in it; each letter needs a value, and each dotted letter one of its own: `(r"\dot x", 0.83)`.
     ///
     /// # Errors
     /// For a letter without a value, a name that does not occur, an equation, a vector, a point outside the domain.
@@ -109,6 +111,23 @@ impl Formula {
             [value] => Ok(*value),
             _ => Err(Error::new("the formula is no number but a vector or a matrix").help("evaluate one component")),
         }
+    }
+
+    /// The unit of the SI of a formula with units in it, such as `kg m² s⁻²`; `None` where it has none, or depends on letters.
+    ///
+    /// # Errors
+    /// For terms that do not fit.
+    pub fn unit(&self) -> Result<Option<String>> {
+        let [formula] = self.statement.members.as_slice() else { return Ok(None) };
+        if !has_units(formula) {
+            return Ok(None);
+        }
+        let mut check = UnitCheck::new(&self.symbols);
+        let found = check.dimension(formula).map_err(|mismatch| {
+            Error::new(format!("the units do not fit: {}", mismatch.message)).with_code(Code::UnitMismatch)
+        })?;
+        let known = found.filter(|found| formula.symbols().is_empty() && *found != Affine::known(Dimension::NONE));
+        Ok(known.map(|found| check.words(&found)))
     }
 
     /// The entries of the formula's value: one of a number, three of a vector, those of a matrix row by row.
@@ -149,6 +168,9 @@ impl Formula {
         let [formula] = self.statement.members.as_slice() else {
             return Err(Error::new("an equation has no value").help("evaluate one of its sides"));
         };
+        self.unit()?;
+        let mut formula = formula.clone();
+        in_si(&mut formula);
         let mut state = Assignment::<B>::new(&self.symbols);
         let mut known = Vec::new();
         for (name, value) in values {
@@ -174,7 +196,7 @@ impl Formula {
             let settings: Vec<String> = missing.iter().map(|name| format!("--set '{name}=…'")).collect();
             return Err(Error::new(format!("there is no value for {}", missing.join(", "))).help(settings.join(" ")));
         }
-        let value = evaluate(formula, &state, &[]).map_err(|reason| match reason {
+        let value = evaluate(&formula, &state, &[]).map_err(|reason| match reason {
             Unavailable::Derivative(_) => Error::new("the formula needs the value of a time derivative")
                 .help("set the dotted symbols too: --set '\\dot x=…'"),
             Unavailable::Operation(what) => Error::new(format!("the formula has no value: {what}")),

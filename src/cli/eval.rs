@@ -26,14 +26,22 @@ pub struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     match entries(arguments) {
-        Ok(entries) => Outcome::done(match (arguments.format, &entries[..]) {
+        Ok((entries, unit)) => Outcome::done(match (arguments.format, &entries[..]) {
             (Format::Text, entries) => {
-                entries.iter().map(|(value, error)| decimal(*value, *error)).collect::<Vec<_>>().join(" ") + "\n"
+                let shown = entries.iter().map(|(value, error)| decimal(*value, *error));
+                shown.chain(unit).collect::<Vec<_>>().join(" ") + "\n"
             }
-            (Format::Json, [(value, _)]) => format!("{:#}\n", json!({ "schema": 1, "value": value })),
             (Format::Json, entries) => {
                 let values: Vec<f64> = entries.iter().map(|(value, _)| *value).collect();
-                format!("{:#}\n", json!({ "schema": 1, "value": values }))
+                let value = match values.as_slice() {
+                    [value] => json!(value),
+                    values => json!(values),
+                };
+                let mut found = json!({ "schema": 1, "value": value });
+                if let Some(unit) = unit {
+                    found["unit"] = json!(unit);
+                }
+                format!("{found:#}\n")
             }
         }),
         Err(error) => Outcome::failed(&error, arguments.format, screen),
@@ -54,11 +62,12 @@ fn decimal(value: f64, error: f64) -> String {
     }
 }
 
-/// The value of the formula, with a bound of its rounding error: one number, or the entries of a vector or a matrix.
-fn entries(arguments: &Arguments) -> Result<Vec<(f64, f64)>> {
+/// The value of the formula, one number or the entries of a vector or a matrix, each with a bound of its rounding error; and
+/// its unit, if units stand in it.
+fn entries(arguments: &Arguments) -> Result<(Vec<(f64, f64)>, Option<String>)> {
     let formula = Formula::read(&arguments.formula)?;
     let values = arguments.values.iter().map(|pair| setting(pair)).collect::<Result<Vec<_>>>()?;
-    formula.entries_with_errors(&values)
+    Ok((formula.entries_with_errors(&values)?, formula.unit()?))
 }
 
 /// A name and its value, from `NAME=VALUE`.

@@ -135,6 +135,7 @@ impl Differentiator<'_> {
             Node::Number(_)
             | Node::Pi
             | Node::Euler
+            | Node::Unit(_)
             | Node::Identity
             | Node::Imaginary
             | Node::Epsilon(_)

@@ -13,6 +13,8 @@ use super::numbers::complex::Complex;
 use super::numbers::matrices;
 use super::symbols::Kind;
 use super::tree::{Excluded, Expr, Function, Node, Sign, Term};
+use super::units::Unit;
+use super::units::printed::BASE_VALUES;
 use super::value::Value;
 
 /// Evaluates a formula whose free indices have the values `free`.
@@ -45,6 +47,25 @@ pub fn evaluate_to<D: Differentiable>(
     Evaluator { environment, indices, terms }.value(expr)
 }
 
+/// The value of a unit, where each base unit has a number of its own.
+fn size<D: Differentiable>(unit: Unit) -> Option<D> {
+    let power = |base: D, exponent: i64| (0..exponent.unsigned_abs()).fold(D::one(), |all, _| all * base);
+    let times = |size: D, base: &str, exponent: i64| {
+        let base = power(D::decimal(base)?, exponent);
+        Some(if exponent < 0 { size / base } else { size * base })
+    };
+    let (digits, ten) = unit.size();
+    let mut size = times(D::decimal(digits)?, "10", ten.into())?;
+    if unit.is_degree() {
+        size = size * D::pi() / D::decimal("180")?;
+    }
+    BASE_VALUES
+        .iter()
+        .zip(unit.exponents())
+        .filter(|(_, exponent)| *exponent != 0)
+        .try_fold(size, |size, (base, exponent)| times(size, base, exponent))
+}
+
 /// The exact value of an exponent that holds numbers only, where it fits.
 pub fn constant_exponent(expr: &Expr) -> Option<Ratio> {
     match &expr.node {
@@ -73,6 +94,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
             Node::Number(digits) => Value::Scalar(D::decimal(digits).ok_or(Unavailable::Operation("a number"))?),
             Node::Pi => Value::Scalar(D::pi()),
             Node::Euler => Value::Scalar(D::one().exp()),
+            Node::Unit(unit) => Value::Scalar(size(*unit).ok_or(Unavailable::Operation("a unit"))?),
             Node::Symbol { id, indices, dots } => return self.symbol(*id, indices, *dots),
             Node::Sum(terms) => return self.sum(terms),
             Node::Product(factors) => return self.product(factors),

@@ -41,7 +41,6 @@ pub mod shape;
 pub mod symbols;
 pub mod text;
 pub mod tree;
-#[cfg(feature = "notes")]
 pub mod units;
 #[cfg(feature = "notes")]
 pub mod value;

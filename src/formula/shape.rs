@@ -193,7 +193,7 @@ impl Binder<'_> {
         let span = expr.span;
         let scalar = Type { shape: Shape::Scalar, free: Vec::new() };
         match &mut expr.node {
-            Node::Number(_) | Node::Pi | Node::Euler => Ok(scalar),
+            Node::Number(_) | Node::Pi | Node::Euler | Node::Unit(_) => Ok(scalar),
             Node::Identity => Ok(Type { shape: Shape::Matrix(0, 0), ..scalar }),
             Node::Imaginary => Ok(Type { shape: Shape::Complex, ..scalar }),
             Node::Symbol { id, indices, .. } => {

@@ -166,6 +166,8 @@ pub struct Symbols {
     pub open: bool,
     /// Whether a display of which parts have no value, such as operators and tensors, may be read for its structure.
     pub may_be_abstract: bool,
+    /// Whether a number with a unit defines the name beside it. First the names are sought that formulas define.
+    pub quantities_define: bool,
     /// The index that is added to unknown names without one, as in an equation for each particle.
     pub for_each: Option<IndexId>,
     /// Names that were understood without a declaration, with their meaning: `r_i` for |r⃗_i|.

@@ -63,6 +63,16 @@ fn binding(node: &Node, symbols: &Symbols) -> u8 {
     }
 }
 
+/// Whether a formula is a quotient of units, as in `9.8·m/s^2`.
+fn is_quotient_of_units(expr: &Expr) -> bool {
+    let is_unit = |side: &Expr| match &side.node {
+        Node::Product(factors) => factors.iter().all(|factor| matches!(factor.node, Node::Unit(_) | Node::Power(..))),
+        Node::Power(base, _) => matches!(base.node, Node::Unit(_)),
+        node => matches!(node, Node::Unit(_)),
+    };
+    matches!(&expr.node, Node::Quotient(above, below) if is_unit(above) && is_unit(below))
+}
+
 impl Writer<'_> {
     fn write(&self, expr: &Expr, outer: u8) -> String {
         let text = self.bare(expr);
@@ -75,6 +85,7 @@ impl Writer<'_> {
             Node::Number(text) => text.clone(),
             Node::Pi => "π".into(),
             Node::Euler => "e".into(),
+            Node::Unit(unit) => unit.symbol(),
             Node::Symbol { id, indices, dots } => {
                 let entry = self.symbols.entry(*id);
                 let mut name = entry.name.clone();
@@ -101,8 +112,17 @@ impl Writer<'_> {
                 text
             }
             Node::Product(factors) => {
-                let factors: Vec<String> = factors.iter().map(|factor| self.write(factor, 2)).collect();
-                factors.join("·")
+                let mut text = String::new();
+                for (at, factor) in factors.iter().enumerate() {
+                    // `45°`
+                    let is_sign = matches!(&factor.node, Node::Unit(unit) if unit.is_sign());
+                    if at > 0 && !is_sign {
+                        text.push('·');
+                    }
+                    let ends_with_units = at + 1 == factors.len() && is_quotient_of_units(factor);
+                    text.push_str(&self.write(factor, if ends_with_units { 1 } else { 2 }));
+                }
+                text
             }
             Node::Quotient(a, b) => format!("{}/{}", self.write(a, 2), self.write(b, 2)),
             Node::Power(base, exponent) => {

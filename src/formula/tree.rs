@@ -12,6 +12,7 @@ pub use super::ids::{Index, IndexId};
 pub use super::operators::{ComplexPart, Function, MatrixFunction, Relation};
 
 use super::ids::SymbolId;
+use super::units::Unit;
 
 /// A formula with its place.
 #[derive(Clone, Debug)]
@@ -37,6 +38,8 @@ pub enum Node {
     Pi,
     /// The base of the natural logarithm, as the base of a power.
     Euler,
+    /// A unit after a number, `kg`.
+    Unit(Unit),
     /// A symbol with its indices, differentiated `dots` times with respect to time.
     /// A family of one or two indices that is written without them is the whole vector or matrix.
     Symbol {
@@ -291,6 +294,7 @@ impl Expr {
             Node::Number(_)
             | Node::Pi
             | Node::Euler
+            | Node::Unit(_)
             | Node::Identity
             | Node::Imaginary
             | Node::Symbol { .. }
@@ -327,6 +331,7 @@ impl Expr {
             Node::Number(_)
             | Node::Pi
             | Node::Euler
+            | Node::Unit(_)
             | Node::Identity
             | Node::Imaginary
             | Node::Symbol { .. }

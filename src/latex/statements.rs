@@ -7,6 +7,7 @@
 use crate::formula::shape::{self, Shape, Type};
 use crate::formula::symbols::{Kind, SymbolId, Symbols};
 use crate::formula::tree::{Expr, IndexId, Relation, Sign, Statement};
+use crate::formula::units::in_si::has_units;
 use crate::source::{Fault, Span};
 
 use super::definitions::{DefinedSymbol, New, Place, Unknown};
@@ -220,6 +221,9 @@ impl Piece<'_> {
                 _ => read[at - 1].clone(),
             };
             let Some((source, of_source)) = source else { return Err(found.undeclared(symbols)) };
+            if !symbols.quantities_define && is_quantity(&source) {
+                return Err(found.undeclared(symbols));
+            }
             let next = symbols.len() + news.len();
             let (mut expr, of_member, new) = found.introduce((&source, &of_source), next, symbols)?;
             // The name may stand twice, `E = T + U = E`: the second is the symbol that the first adds.
@@ -278,6 +282,11 @@ impl Piece<'_> {
             Statement { members, relations, conditions, constant: self.constant, branch, row: self.row, span };
         Ok((statement, news))
     }
+}
+
+/// Whether a formula is a number with a unit.
+fn is_quantity(formula: &Expr) -> bool {
+    has_units(formula) && formula.symbols().is_empty()
 }
 
 /// Without declarations: a name that equals a complex number is one.

@@ -78,6 +78,7 @@ impl Typesetter<'_> {
             Node::Number(text) => text.clone(),
             Node::Pi => "\\pi".into(),
             Node::Euler => "e".into(),
+            Node::Unit(unit) => format!("\\,\\text{{{}}}", unit.symbol()),
             Node::Symbol { id, indices, dots } => self.symbol(*id, indices, *dots),
             Node::Sum(terms) => {
                 let mut text = String::new();

@@ -57,6 +57,7 @@ pub fn repair(repair: &Repair, first: bool, source: &Source, style: Style) -> St
         },
         (None, true) => format!("This step would be {}; the rest of the chain needs an edit as well", repair.verdict),
         (None, false) if repair.verdict == Verdict::Definition => "The document would pass".to_owned(),
+        (None, false) if repair.verdict == Verdict::Assumed => "The dimensions would fit".to_owned(),
         (None, false) => format!("It would be {}", repair.verdict),
     };
     let title = Level::HELP.secondary_title(titled("help", "", &format!("{asked} {change}? {then}"), style));

@@ -3,7 +3,7 @@
 use onshell::check::{Equation, Finding, Verdict};
 use serde_json::json;
 
-use crate::support::{equation, numbers, pendulum};
+use crate::support::{equation, numbers, pendulum, verdict};
 
 /// A chain of numbers that is false.
 fn chain(latex: &str) -> Equation {
@@ -119,4 +119,21 @@ fn what_cannot_be_told_of_a_link_names_no_member() {
     let found = equation(&numbers(), &["(a+b)^2 = a^2 + 2ab - b^2 = a(a + 2b) - b^2 \\approx a^2"], json!({}));
     assert!(!found.finding.message.contains("follows from this mistake"), "{}", found.finding.message);
     assert_eq!(found.finding.carried, 0);
+}
+
+#[test]
+fn a_chain_with_a_zero_says_of_each_member_that_it_is_zero() {
+    let claims = json!({
+        "coordinates": { "x, y, z": "any" },
+        "constants": { "m, g": "> 0" },
+        "means": { "L": "Lagrangian" },
+    });
+    let fall = r"L = \frac12 m(\dot x^2 + \dot y^2 + \dot z^2) - m g z";
+    let found = |latex: &str| verdict(&claims, &[fall, latex], json!({}));
+    for right in [r"\dot p_x = \dot p_y = 0", r"\dot p_x = 0 = \dot p_y", r"\ddot x = \ddot y = \dot p_y = 0"] {
+        assert_eq!(found(right), Verdict::Verified, "{right}");
+    }
+    assert_eq!(found(r"\dot p_x = \dot p_z = 0"), Verdict::Refuted);
+    // The twin: without the 0, a wrong factor would not be noticed.
+    assert_eq!(found(r"\dot p_x = \dot p_y"), Verdict::Undecided);
 }

@@ -395,3 +395,43 @@ fn a_claim_stands_on_what_it_means_by_a_name() {
     // The twin: what (1) says is not made to agree with the slip.
     assert!(found.equations[0].repairs.iter().all(|repair| !repair.replacement.contains("a^")), "{found:?}");
 }
+
+/// What the first display becomes with its first repair, beside the Lagrangian that the notes define.
+fn mended_beside(lagrangian: &str, others: &[&str], wrong: &str) -> String {
+    let mut coordinates = json!({ r"\theta": "angle" });
+    if lagrangian.contains(r"\dot r") {
+        coordinates["r"] = json!("> 0");
+    }
+    let claims = json!({
+        "coordinates": coordinates,
+        "constants": { "m, k, g, l": "> 0" },
+        "means": { "L": "Lagrangian" },
+    });
+    let displays = [&[wrong, lagrangian], others].concat();
+    mended(&claims, &displays).into_iter().next().unwrap_or_default()
+}
+
+#[test]
+fn a_two_lost_under_a_fraction_line_is_likelier_than_lost_parentheses() {
+    let spring = r"L = \frac12 m(\dot r^2 + r^2\dot\theta^2) - \frac12 k r^2";
+    let momentum = r"\ell = m r^2\dot\theta = \text{const}";
+    let energy = |term: &str| format!(r"E = \frac12 m\dot r^2 + {term} + \frac12 k r^2 = \text{{const}}");
+    let found = mended_beside(spring, &[momentum], &energy(r"\frac{\ell^2}{m r^2}"));
+    assert_eq!(found, energy(r"\frac{\ell^2}{2 \, m r^2}"));
+}
+
+#[test]
+fn numbers_in_a_fraction_are_exchanged_or_replaced_together() {
+    let rod = r"L = \frac16 m l^2\dot\theta^2 + \frac12 m g l\cos\theta";
+    let motion = |fraction: &str| format!(r"\ddot\theta = -{fraction}\sin\theta");
+    assert_eq!(mended_beside(rod, &[], &motion(r"\frac{2 g}{3 l}")), motion(r"\frac{3 g}{2 l}"));
+    let shell = r"L = \frac13 m l^2\dot\theta^2 + m g l\cos\theta";
+    let momentum = |fraction: &str| format!(r"p_\theta = {fraction} m l^2\dot\theta");
+    assert_eq!(mended_beside(shell, &[], &momentum(r"\frac12")), momentum(r"\frac{2}{3}"));
+}
+
+#[test]
+fn squares_lost_in_all_terms_of_a_sum_are_put_back() {
+    let hypotenuse = |sum: &str| format!(r"b^4 - a^4 = (b^2 - a^2)({sum})");
+    assert!(mended(&numbers(), &[&hypotenuse("a + b")]).contains(&hypotenuse("a^2 + b^2")));
+}

@@ -17,6 +17,8 @@ mod lecture;
 mod misreadings;
 #[path = "reading/particles.rs"]
 mod particles;
+#[path = "reading/quantities.rs"]
+mod quantities;
 #[path = "reading/structure.rs"]
 mod structure;
 

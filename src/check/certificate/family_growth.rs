@@ -140,6 +140,7 @@ impl<'a> GrowthAnalysis<'a> {
             Node::Number(_)
             | Node::Pi
             | Node::Euler
+            | Node::Unit(_)
             | Node::Identity
             | Node::Imaginary
             | Node::Epsilon(_)

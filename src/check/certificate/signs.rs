@@ -25,7 +25,7 @@ pub fn is_never_zero(model: &Model, expr: &Expr) -> bool {
 fn is_positive(model: &Model, expr: &Expr) -> bool {
     match &expr.node {
         Node::Number(digits) => digits.parse::<f64>().is_ok_and(|value| value > 0.0),
-        Node::Pi => true,
+        Node::Pi | Node::Unit(_) => true,
         Node::Sum(terms) => terms.iter().all(|term| term.sign == Sign::Plus && is_positive(model, &term.expr)),
         Node::SumOver { body, .. } | Node::Root(_, body) => is_positive(model, body),
         Node::Product(factors) => factors.iter().all(|factor| is_positive(model, factor)),

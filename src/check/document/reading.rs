@@ -111,7 +111,11 @@ pub(crate) fn read_all(
             let read = readings.iter().enumerate().filter_map(|(at, reading)| Some((at, reading.as_ref()?)));
             let all = read.chain(unread.iter().map(|(at, _, reading)| (*at, reading)));
             if !pending.drop_unreadable(&UnreadableDisplays::of(notes, all), model)? {
-                break;
+                // What no formula defines, a value does.
+                if model.symbols.quantities_define {
+                    break;
+                }
+                model.symbols.quantities_define = true;
             }
         }
         pending.define_what_is_ready(model);

@@ -5,6 +5,7 @@
 //! and are not mistakes of their own.
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::{Expr, Relation, Statement, text};
 
 use crate::check::document::checker::Checker;
@@ -86,6 +87,19 @@ impl Checker<'_> {
             mistakes.push(finding);
         }
         Ok(mistakes)
+    }
+
+    /// In a chain with a 0, a member that is 0 on shell is claimed to be 0, and not to equal the next member.
+    pub(crate) fn zeros(&self, statement: &Statement, links: &mut [JudgedLink], context: &Context<'_>) -> Result<()> {
+        let Some(zero) = statement.members.iter().find(|member| member.is_null()) else { return Ok(()) };
+        if !statement.relations.iter().all(|(relation, _)| is_equality(*relation)) {
+            return Ok(());
+        }
+        for step in links.iter_mut().filter(|step| step.finding.code == Code::SideAlwaysZero) {
+            let link = self.link(&statement.members[step.at], Relation::Equal, zero)?;
+            step.finding = identity::check(&link, &Context { span: step.finding.span, ..*context })?;
+        }
+        Ok(())
     }
 
     /// Whether two members of a chain are equal.

@@ -233,6 +233,11 @@ impl Checker<'_> {
                 units_agree = false;
                 continue;
             }
+            if let Some(finding) = self.misfit(statement, offset) {
+                parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
+                units_agree = false;
+                continue;
+            }
             let mut printed = printed.clone();
             printed.extend(self.conditions(statement)?);
             let context = Context {
@@ -287,9 +292,16 @@ impl Checker<'_> {
     ) -> Result<Vec<Part>> {
         let reading = text::statement(statement, &self.model.symbols);
         let (mut findings, mut links) = (Vec::new(), Vec::new());
-        for (at, (relation, place)) in statement.relations.iter().enumerate() {
+        for (at, (relation, sign)) in statement.relations.iter().enumerate() {
             let last = at + 1 == statement.relations.len();
             if at == 0 && self.is_unknown_of(&statement.members[0], claim)? {
+                continue;
+            }
+            let ends = statement.members[at].span.to(statement.members[at + 1].span);
+            let place = Context { span: ends.shifted(context.span.start - statement.span.start), ..*context };
+            let is_introduced = introduced.iter().any(|new| new.member == at || new.member == at + 1);
+            if let Some(finding) = self.measured(statement, (at, is_introduced), claim, &place) {
+                findings.push(finding);
                 continue;
             }
             // A definition is checked by its uses, unless the chain continues or the claim says more of the name.
@@ -322,15 +334,14 @@ impl Checker<'_> {
                 }
                 link.rhs = with_dropped(&link.rhs, &dropped);
             }
-            let (from, to) = (statement.members[at].span, statement.members[at + 1].span);
-            let context = Context { span: from.to(to).shifted(context.span.start - statement.span.start), ..*context };
+            let (from, context) = (statement.members[at].span, place);
             let solution = self.solution(&link, at, claim);
             let finding = match relation {
                 _ if solution.is_some() => match &solution {
                     Some(solution) => self.of_the_motion(solution, &context)?,
                     None => identity::check(&link, &context)?,
                 },
-                Relation::Approximately => self.approximation(&link, claim, *place, (from, &context))?,
+                Relation::Approximately => self.approximation(&link, claim, *sign, (from, &context))?,
                 Relation::Proportional => context.finding(
                     Code::NotSupported,
                     Verdict::Unreadable,
@@ -351,6 +362,7 @@ impl Checker<'_> {
             let finding = context.for_every_function(finding, &[&link.lhs, &link.rhs]);
             links.push(JudgedLink { at, finding, relation: *relation });
         }
+        self.zeros(statement, &mut links, context)?;
         let mut parts = Vec::new();
         let mistakes = match claim.dropping.is_none() && claim.continuum_limit_of.is_none() {
             true => {

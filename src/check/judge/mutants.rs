@@ -311,6 +311,7 @@ impl Slips<'_> {
             | Node::OfMatrix(..)
             | Node::Cases(_)
             | Node::Euler
+            | Node::Unit(_)
             | Node::Root(..)
             | Node::TimeDerivative(..)
             | Node::Norm(_)

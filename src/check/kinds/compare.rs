@@ -3,7 +3,9 @@
 use crate::Result;
 use crate::code::Code;
 use crate::formula::symbols::{Kind, Name};
-use crate::formula::{Expr, Node, Relation, SymbolId, Symbols, text};
+use crate::formula::units::UnitCheck;
+use crate::formula::units::in_si::{has_units, in_si};
+use crate::formula::{Expr, Node, Relation, Statement, SymbolId, Symbols, text};
 use crate::latex::{Macros, read_display, read_formula};
 use crate::notes::claims::Range;
 use crate::source::{Fault, Span};
@@ -79,6 +81,13 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     }
     let readings = [text::formula(&lhs, &model.symbols), text::formula(&rhs, &model.symbols)];
     let span = Span::default();
+    if let Some(message) = units_differ(&lhs, &rhs, &model.symbols) {
+        let finding = Finding::new(Code::UnitMismatch, Verdict::Refuted, span, message);
+        return Ok(Comparison { finding, readings, assumed });
+    }
+    let (mut lhs, mut rhs) = (lhs, rhs);
+    in_si(&mut lhs);
+    in_si(&mut rhs);
     if lhs == rhs {
         let finding = Finding::new(Code::Definition, Verdict::Definition, span, "both formulas are the same");
         return Ok(Comparison { finding, readings, assumed });
@@ -104,6 +113,24 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
         );
     }
     Ok(Comparison { finding, readings, assumed })
+}
+
+/// What is wrong with the units in two formulas.
+fn units_differ(lhs: &Expr, rhs: &Expr, symbols: &Symbols) -> Option<String> {
+    if ![lhs, rhs].into_iter().any(has_units) {
+        return None;
+    }
+    let statement = Statement {
+        members: vec![lhs.clone(), rhs.clone()],
+        relations: vec![(Relation::Equal, Span::default())],
+        conditions: Vec::new(),
+        constant: None,
+        branch: None,
+        row: 0,
+        span: Span::default(),
+    };
+    let mismatch = UnitCheck::new(symbols).statement(&statement).into_iter().next()?;
+    Some(format!("the units do not fit: {}", mismatch.message))
 }
 
 /// Whether a symbol occurs in a formula.

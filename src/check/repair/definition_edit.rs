@@ -26,7 +26,7 @@ use crate::check::document::names::shown;
 use crate::check::document::setup::Run;
 use crate::check::equations::definition_tests::DefinitionTests;
 use crate::check::equations::sentences;
-use crate::check::repair::ranking::rank;
+use crate::check::repair::ranking::{adds_parentheses, rank};
 use crate::check::repair::suggest::{Suggestion, as_repairs, is_in_source};
 use crate::check::sample::context::Options;
 use crate::check::sample::setting::FEWEST;
@@ -124,8 +124,10 @@ impl Checker<'_> {
         let mut tried = Vec::new();
         let start = self.notes.equations[wrong.at].body.start;
         let tries = if most == POOLS && wrong.claim.solves.is_none() { TRIED } else { FEW };
-        for pool in pools.into_iter().take(most) {
+        for (at, pool) in pools.into_iter().take(most).enumerate() {
             let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
+            // Parentheses wait for the numbers that may be lost: a lost 2 under a fraction line is likelier.
+            edits.retain(|edit| at > 0 || most == 1 || !adds_parentheses(wrong.text, edit));
             edits.retain(|edit| is_in_source(self, wrong.text, edit, start) && !tried.contains(edit));
             // A factor that is a vanishing rate makes anything conserved.
             edits.retain(|edit| edit.slip != Slip::Factor || !edit.replacement.contains("\\dot"));

@@ -18,6 +18,7 @@ use std::cell::Cell;
 use std::collections::HashSet;
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::{Expr, Node, Statement};
 use crate::latex::slips::{Edit, Pool, Slip};
 use crate::latex::{Reading, slips};
@@ -84,7 +85,9 @@ impl Checker<'_> {
         let none = Claim::default();
         let claim = self.assigned[at].unwrap_or(&none);
         let is_known = claim.expect.is_some() || !claim.errata.is_empty();
-        if equation.ok || is_known || !self.options.explain {
+        // Of numbers the finding says what they give; an edit that puts letters among them is none that the author meant.
+        let is_numeric = equation.finding.code == Code::NumbersDiffer;
+        if equation.ok || is_known || is_numeric || !self.options.explain {
             return Ok(equation);
         }
         if !self.is_tried(at) {

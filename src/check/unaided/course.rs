@@ -22,6 +22,8 @@ use crate::check::unaided::signs::{self, Positive};
 use crate::check::unaided::solutions;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
+use crate::code::Code;
+use crate::formula::units::in_si::has_units;
 use crate::formula::{Expr, SymbolId, text};
 use crate::notes::claims::Claim;
 
@@ -55,6 +57,7 @@ pub(super) fn judged_again(
     let explained = &with_options(checker, true);
     let mut course = Course {
         run,
+        scope,
         checker: explained,
         quick: with_options(checker, false),
         known: Vec::new(),
@@ -89,6 +92,7 @@ fn with_options<'a>(checker: &Checker<'a>, explain: bool) -> Checker<'a> {
 /// The way through the displays.
 struct Course<'c, 'a> {
     run: &'c Run<'c>,
+    scope: &'c Scope,
     checker: &'c Checker<'a>,
     /// The same checker without explanations.
     quick: Checker<'a>,
@@ -145,6 +149,12 @@ impl Course<'_, '_> {
 
     /// Makes a display a premise of what comes later.
     fn take_for_granted(&mut self, at: usize) {
+        // Numbers of an example say nothing about other displays.
+        let mut members =
+            self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        if members.any(has_units) {
+            return;
+        }
         // Beside a motion, what is taken for granted is a special case of it or contradicts it.
         let (id, symbols) = (self.checker.notes.equations[at].id(), self.symbols(at));
         if let (Some(id), Some(symbols), None) = (id, symbols, &self.checker.model.system) {
@@ -156,6 +166,10 @@ impl Course<'_, '_> {
         let none = Claim::default();
         let claim = self.checker.assigned[at].unwrap_or(&none);
         let found = self.by_itself(at)?;
+        // Numbers are wrong by themselves, whatever the letters mean.
+        if found.finding.code == Code::NumbersDiffer {
+            return Ok(found);
+        }
         if found.finding.verdict == Verdict::Refuted
             && gate::lost_derivative(&self.checker.readings[at], &self.checker.notes.equations[at])
         {
@@ -164,8 +178,10 @@ impl Course<'_, '_> {
         let Some(symbols) = self.symbols(at).filter(|_| found.finding.verdict == Verdict::Refuted) else {
             return Ok(gate::as_it_counts(found));
         };
-        let words = prose::before(self.checker.notes, at);
-        let sets = premises::sets(&self.known, &symbols, &words.named);
+        let origin = self.scope.origin_of(at, self.checker.notes.equations.len());
+        let words = prose::before(self.checker.notes, origin);
+        let before: Vec<Premise> = self.known.iter().filter(|premise| premise.at < origin).cloned().collect();
+        let sets = premises::sets(&before, &symbols, &words.named);
         let positive = signs::positive(&self.checker.readings[at], &symbols, self.checker.model);
         if let Some(positive) = &positive
             && let Some(follows) = self.follows_where(at, positive, claim)?
@@ -177,7 +193,7 @@ impl Course<'_, '_> {
                 return Ok(gate::as_it_counts(follows));
             }
         }
-        let solved = solutions::solved((at, &symbols), &self.known, self.checker.readings, self.checker.model);
+        let solved = solutions::solved((at, &symbols), &before, self.checker.readings, self.checker.model);
         for solution in &solved {
             let found = self.equation(&self.quick, at, &solution.claim)?;
             if found.finding.verdict.passes() {
@@ -251,7 +267,10 @@ impl Course<'_, '_> {
             found
         };
         let own = printed(at);
-        own.len() >= FEWEST_RESTATED && (0..at).any(|earlier| printed(earlier) == own)
+        own.len() >= FEWEST_RESTATED && {
+            let origin = self.scope.origin_of(at, self.checker.notes.equations.len());
+            (0..origin).any(|earlier| printed(earlier) == own)
+        }
     }
 
     /// The symbols that a display relates, if it was read.

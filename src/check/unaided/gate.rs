@@ -219,6 +219,10 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
         return false;
     }
     let left_out = &corrected[start..end];
+    // A factor of 0 takes a term away.
+    if repair.replacement.trim().trim_end_matches("\\,").trim() == "0" {
+        return false;
+    }
     // Authors lose terms; they do not add terms that do not belong.
     if repair.replacement.trim().is_empty() && left_out.contains(|c: char| c.is_ascii_alphabetic()) {
         return false;

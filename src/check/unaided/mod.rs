@@ -15,6 +15,7 @@
 //! other folders of `check`.
 
 mod course;
+mod dimensions;
 #[cfg(feature = "cli")]
 mod draft;
 mod gate;
@@ -22,6 +23,7 @@ mod gate;
 mod inference;
 mod inline;
 mod laws;
+mod links;
 pub(super) mod names;
 mod premises;
 mod prose;
@@ -129,19 +131,62 @@ pub(super) fn guessed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<D
 /// does not follow by itself is judged once more with that equation as a law.
 fn judged(run: &Run<'_>, claims: &Claims, notes: &Notes, scope: &scope::Scope) -> Result<(Vec<Equation>, Vec<String>)> {
     let (found, laws, inferred) = with_checker(run, claims, notes, |checker| {
-        let found = course::judged(run, &checker, scope)?;
+        let mut found = course::judged(run, &checker, scope)?;
+        dimensions::blame(&checker, scope.carried, &mut found);
         let laws = laws::laws(&checker, &found);
         Ok((found, laws, checker.model.inferred.clone()))
     })?;
-    let Some(lawful) = laws.added_to(claims)? else { return Ok((found, inferred)) };
+    let lawful = laws.added_to(claims)?;
+    let found = match &lawful {
+        Some(lawful) => judged_with_laws(run, lawful, notes, (scope, &laws), found)?,
+        None => found,
+    };
+    Ok((with_links(run, lawful.as_ref().unwrap_or(claims), notes, scope, found)?, inferred))
+}
+
+/// The findings, where each chain that is taken for granted has a wrong equality called so.
+fn with_links(
+    run: &Run<'_>,
+    claims: &Claims,
+    notes: &Notes,
+    scope: &scope::Scope,
+    mut found: Vec<Equation>,
+) -> Result<Vec<Equation>> {
+    let chains = with_checker(run, claims, notes, |checker| {
+        Ok((checker.model.system.is_none()).then(|| links::apart(&checker, scope.carried, &found)).flatten())
+    })?;
+    let Some(apart) = chains else { return Ok(found) };
+    let known = |at: usize| match at.checked_sub(scope.carried) {
+        Some(place) => found.get(place).cloned(),
+        None => None,
+    };
+    let longer = scope::Scope { sections: Vec::new(), origins: apart.origins.clone(), ..*scope };
+    let judged =
+        with_checker(run, claims, &apart.notes, |checker| course::judged_again(run, &checker, &longer, &known));
+    // The equalities help where they can be read, and take nothing away.
+    if let Ok(judged) = judged {
+        let links = judged.get(found.len()..).unwrap_or_default().to_vec();
+        links::merged(&mut found, scope.carried, &apart, &links);
+    }
+    Ok(found)
+}
+
+/// The findings where the equations of motion that the notes solve are laws.
+fn judged_with_laws(
+    run: &Run<'_>,
+    lawful: &Claims,
+    notes: &Notes,
+    (scope, laws): (&scope::Scope, &laws::Laws),
+    found: Vec<Equation>,
+) -> Result<Vec<Equation>> {
     let known = |at: usize| {
         let equation = found.get(at.checked_sub(scope.carried)?)?;
         let is_open = matches!(equation.finding.verdict, Verdict::Assumed | Verdict::Undecided);
         (!is_open || !laws.may_give(at)).then(|| equation.clone())
     };
-    let again = with_checker(run, &lawful, notes, |checker| course::judged_again(run, &checker, scope, &known));
+    let again = with_checker(run, lawful, notes, |checker| course::judged_again(run, &checker, scope, &known));
     // The laws help where they can be read, and take nothing away.
-    Ok((again.ok().filter(|again| again.len() == found.len()).unwrap_or(found), inferred))
+    Ok(again.ok().filter(|again| again.len() == found.len()).unwrap_or(found))
 }
 
 /// Checks notes with claims that nobody has confirmed.

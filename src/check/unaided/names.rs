@@ -52,8 +52,11 @@ struct Place {
 /// All names of some displays, in the order of their first occurrence.
 pub(in crate::check) fn names_of(displays: &[Display], macros: &Macros) -> Vec<Usage> {
     let (mut found, mut statements) = (Vec::new(), Vec::new());
+    let mut valued: Vec<(Name, usize)> = Vec::new();
     for (at, display) in displays.iter().enumerate() {
         let Ok(items) = typeset_items(&display.text, macros).map(unwrapped) else { continue };
+        let (items, values) = without_values(items);
+        valued.extend(values.into_iter().map(|name| (name, at)));
         let mut left = true;
         for (row, item) in items.iter().enumerate() {
             // The left side of a statement: a name alone, perhaps with arguments or a square, before the relation.
@@ -76,7 +79,55 @@ pub(in crate::check) fn names_of(displays: &[Display], macros: &Macros) -> Vec<U
         }
     }
     follow(&statements, &mut found);
+    for (name, at) in valued {
+        entry(&mut found, &name, at);
+    }
     found
+}
+
+/// The items without the statements that give a name a value with a unit, `m = 2.0\,\text{kg}`, and these names. A value in an
+/// example is no formula for the name.
+fn without_values(items: Vec<Item>) -> (Vec<Item>, Vec<Name>) {
+    let is_value = |statement: &[Item]| {
+        let mut sides = statement.split(is_equality);
+        let name = sides.next().and_then(lone_name)?;
+        let has_names = |side: &[Item]| {
+            let mut inside = Vec::new();
+            walk(side, Place::default(), 0, &mut inside);
+            inside.iter().any(|usage| !["\\pi", "e"].contains(&usage.name.base.as_str()))
+        };
+        let mut rest = sides.peekable();
+        rest.peek()?;
+        (rest.all(|side| !has_names(side)) && statement.iter().any(has_unit)).then_some(name)
+    };
+    let (mut kept, mut names) = (Vec::with_capacity(items.len()), Vec::new());
+    for statement in items.split_inclusive(ends_statement) {
+        let (body, end) = match statement.split_last() {
+            Some((last, body)) if ends_statement(last) => (body, Some(last)),
+            _ => (statement, None),
+        };
+        match is_value(body) {
+            Some(name) => names.push(name),
+            None => kept.extend_from_slice(body),
+        }
+        kept.extend(end.cloned());
+    }
+    (kept, names)
+}
+
+fn is_equality(item: &Item) -> bool {
+    is_relation(item) || matches!(&item.layout, Layout::Command(name) if name == "\\approx")
+}
+
+fn has_unit(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Unit(_) => true,
+        Layout::Group(items) | Layout::Fence(_, items) => items.iter().any(has_unit),
+        Layout::Fraction(a, b) => has_unit(a) || has_unit(b),
+        Layout::Root(_, a) => has_unit(a),
+        Layout::Scripts { nucleus, .. } => has_unit(nucleus),
+        _ => false,
+    }
 }
 
 /// The items of a display, where an environment that is all of it or one of its rows, as in `$$\\begin{equation}…$$`, gives its

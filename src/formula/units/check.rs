@@ -106,6 +106,7 @@ impl<'a> UnitCheck<'a> {
         let none = || Ok(Some(Affine::known(Dimension::NONE)));
         match &expr.node {
             Node::Number(_) if expr.is_zero() => Ok(None),
+            Node::Unit(unit) => Ok(Some(Affine::known(unit.dimension()))),
             Node::Number(_)
             | Node::Pi
             | Node::Euler

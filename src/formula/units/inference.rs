@@ -174,6 +174,16 @@ impl Inference {
         (value, origins)
     }
 
+    /// The number of independent requirements so far.
+    pub fn requirements(&self) -> usize {
+        self.solved.len()
+    }
+
+    /// Whether a symbol must be a pure number.
+    pub fn is_pure_number(&self, symbol: SymbolId) -> bool {
+        self.reduce(&Affine::of(symbol)).0.as_known().is_some_and(|known| known.is_none())
+    }
+
     /// Whether two dimensions may be equal, given the known dimensions.
     pub fn may_be_equal(&self, a: &Affine, b: &Affine) -> bool {
         let difference = self.reduce(a).0.over(&self.reduce(b).0);

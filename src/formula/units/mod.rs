@@ -6,19 +6,28 @@
 //!
 //! The dimensions here are values, known when the program runs. The established crates (uom, dimensioned) make them
 //! types, known when it is compiled; those that have values (rink) are calculators under a licence that does not fit
-//! this one. What is needed is seven rational exponents and elimination, hence a type of our own. Scale does not
-//! matter: a kilometre and a millimetre are the same dimension, and numbers are checked elsewhere.
+//! this one. What is needed is seven rational exponents and elimination, hence a type of our own. To a dimension scale
+//! does not matter: a kilometre and a millimetre have the same. The size of a [`Unit`] that stands after a number in a
+//! formula is in [`printed`].
 
+#[cfg(feature = "notes")]
 pub mod check;
+#[cfg(feature = "notes")]
+pub mod in_si;
+#[cfg(feature = "notes")]
 pub mod inference;
 pub mod parse;
+pub mod printed;
 pub mod ratio;
 
 use std::fmt;
 
+#[cfg(feature = "notes")]
 pub use check::{Mismatch, UnitCheck};
+#[cfg(feature = "notes")]
 pub use inference::{Affine, Inference};
 pub use parse::parse;
+pub use printed::Unit;
 pub use ratio::Ratio;
 
 /// The base units of the SI, in the order in which a product of them is printed.

@@ -3,6 +3,7 @@
 use crate::source::{Fault, Span};
 
 use super::super::lexer::Space;
+use super::units::Units;
 
 /// One typeset thing and its bytes.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +52,8 @@ pub enum Layout {
     Style(String, Box<Item>),
     /// `\text{…}`: its letters, without spaces.
     Text(String),
+    /// Units after a number.
+    Unit(Units),
     /// A run of items that is declared to be one quantity, as LaTeX.
     Value(String),
     /// `\begin{name} … \end{name}`: rows of cells.
@@ -101,6 +104,7 @@ pub(super) fn letters(item: &Item) -> String {
         Layout::Style(_, inner) | Layout::Accent(_, inner) => letters(inner),
         Layout::Command(name) => name.clone(),
         Layout::Text(text) => text.clone(),
+        Layout::Unit(units) => units.plain.iter().map(letters).collect(),
         _ => String::new(),
     }
 }

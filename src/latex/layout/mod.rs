@@ -1,8 +1,8 @@
 //! The typeset structure of a formula: groups, fences, fractions, scripts, accents, rows. Nothing has a meaning yet.
 //!
 //! `item` has the layout tree, `parser` builds it from tokens, `text` from a text with macros; `delimiters` and
-//! `angles` pair what opens and closes, and `print` writes items as LaTeX again. `values` finds the runs of items that are
-//! declared to be one quantity.
+//! `angles` pair what opens and closes, and `print` writes items as LaTeX again. `units` finds the units after numbers, and
+//! `values` the runs of items that are declared to be one quantity.
 //! [`layout`] cannot fail; what it does not understand becomes a [`Layout::Fault`] at its place.
 //!
 //! This folder may import the lexer, the macros and the normalizer of [`super`].
@@ -23,6 +23,7 @@ mod print;
 mod tests;
 #[cfg(feature = "notes")]
 mod text;
+mod units;
 pub(crate) mod values;
 
 pub use item::{Delimiter, Item, Layout};
@@ -31,3 +32,4 @@ pub use parser::layout;
 pub(crate) use print::latex;
 #[cfg(feature = "notes")]
 pub(crate) use text::typeset_items;
+pub use units::Units;

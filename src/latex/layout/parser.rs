@@ -10,6 +10,7 @@ use super::super::lexer::{Space, Token, TokenKind};
 use super::angles::{bars_before_angle, bra_length, is_lone_bar};
 use super::delimiters::{closing, glyph, is_plain_bar, opening};
 use super::item::{Delimiter, Item, Layout, is_wide, letters};
+use super::units;
 
 /// The most levels of groups inside groups; equations in notes have far fewer.
 const DEEPEST: usize = 64;
@@ -33,7 +34,7 @@ pub fn layout(tokens: &[Token], length: usize) -> Vec<Item> {
         items.push(fault(token.span, "this closes a group that was never opened"));
         items.extend(parser.list(Until::End));
     }
-    items
+    units::settled(items)
 }
 
 fn fault(span: Span, message: impl Into<String>) -> Item {
@@ -282,7 +283,10 @@ impl<'a> Parser<'a> {
         let mut end = span.end;
         while !single_digit && let Some(token) = self.peek() {
             match token.kind {
-                TokenKind::Digit(c) if token.span.start == end && !(c == '.' && digits.contains('.')) => {
+                // The digits that a macro writes have one place.
+                TokenKind::Digit(c)
+                    if (token.span.start == end || token.span == span) && !(c == '.' && digits.contains('.')) =>
+                {
                     digits.push(c);
                     end = token.span.end;
                     self.next();
@@ -408,11 +412,18 @@ impl<'a> Parser<'a> {
                     },
                     _ => None,
                 };
-                mark.unwrap_or_else(|| Layout::Style(name.to_owned(), Box::new(inner)))
+                match mark {
+                    None if name == "\\mathrm" => {
+                        let word = Layout::Style(name.to_owned(), boxed(inner.clone()));
+                        return units::word(word, &inner, span.to(Span::at(self.previous_end())));
+                    }
+                    mark => mark.unwrap_or_else(|| Layout::Style(name.to_owned(), boxed(inner))),
+                }
             }
             "\\text" => {
                 let argument = self.argument(span);
-                Layout::Text(letters(&argument))
+                let word = Layout::Text(letters(&argument));
+                return units::word(word, &argument, span.to(Span::at(self.previous_end())));
             }
             "\\tag" | "\\label" => {
                 self.argument(span);

@@ -41,6 +41,7 @@ fn one(item: &Item) -> String {
         Layout::Root(None, radicand) => format!("\\sqrt{{{}}}", inside(radicand)),
         Layout::Root(Some(index), radicand) => format!("\\sqrt[{}]{{{}}}", inside(index), inside(radicand)),
         Layout::Accent(command, inner) | Layout::Style(command, inner) => format!("{command}{{{}}}", inside(inner)),
+        Layout::Unit(units) => latex(&units.plain),
         Layout::Text(word) => format!("\\text{{{word}}}"),
         Layout::Environment(name, rows) => {
             let row = |cells: &Vec<Vec<Item>>| cells.iter().map(|cell| latex(cell)).collect::<Vec<_>>().join(" & ");

@@ -60,7 +60,12 @@ impl Values {
         let mut found = Vec::with_capacity(items.len());
         let mut at = 0;
         while at < items.len() {
-            match self.runs.iter().find_map(|run| Some((run, end_of(run, &items, at)?))) {
+            // The differential of an integral belongs to it.
+            let in_integral = items[..at].iter().any(is_integral);
+            let fits = |run: &Vec<Item>| !in_integral || !is_d(&run[0]);
+            let found_run =
+                self.runs.iter().filter(|run| fits(run)).find_map(|run| Some((run, end_of(run, &items, at)?)));
+            match found_run {
                 Some((run, end)) => {
                     let span = items[at].span.to(items[end - 1].span);
                     found.push(Item { layout: Layout::Value(text_of(run)), span });
@@ -145,6 +150,14 @@ pub(crate) fn is_operator(item: &Item) -> bool {
     };
     matches!(&nucleus.layout, Layout::Command(name)
         if ["\\sum", "\\prod", "\\int", "\\iint", "\\iiint", "\\oint", "\\lim"].contains(&name.as_str()))
+}
+
+fn is_integral(item: &Item) -> bool {
+    let nucleus = match &item.layout {
+        Layout::Scripts { nucleus, .. } => nucleus,
+        _ => item,
+    };
+    matches!(&nucleus.layout, Layout::Command(name) if name.ends_with("int"))
 }
 
 /// Whether an item is ∇, perhaps squared.

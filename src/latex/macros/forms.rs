@@ -6,7 +6,7 @@
 //! | `\dv{f}{x}`, `\dv[2]{f}{x}`, `\dv{x}` | a derivative; the same for `\od`, `\deriv` and their kin |
 //! | `\pdv{f}{x}`, `\pdv{f}{x}{y}`, `\pdv{f}{x,y}` | a partial derivative; the same for `\pd`, `\pdiff`, … |
 //! | `\dd{x}`, `\dd[3]{r}`, `\diff x` | a differential; `\diff{f}{x}` is a derivative |
-//! | `\qty(…)`, `\qty[…]`, `\qty{…}` | delimiters; `\qty{3}{kg}` is a number with a unit, and refused |
+//! | `\qty(…)`, `\qty[…]`, `\qty{…}` | delimiters; `\qty{3}{kg}` is a number with a unit |
 //! | `\eval{f}_a^b`, `\order{x^3}` | the bar of an evaluation, a remainder |
 //! | `\mqty(…)`, `\mqty[…]` | a matrix |
 //! | `\sin[2](x)` | a power of a function |
@@ -19,7 +19,7 @@ use crate::source::{Fault, Span};
 
 use super::super::lexer::{Space, Token, TokenKind, tokens};
 use super::parameters::{argument, bracketed, enclosed, group, is_next, star};
-use super::substitute;
+use super::{siunitx, substitute};
 
 const TOTAL: [&str; 8] = ["dv", "derivative", "od", "odv", "deriv", "der", "dn", "fdiff"];
 const PARTIAL: [&str; 9] =
@@ -84,7 +84,7 @@ pub(super) fn expansion(
         "order" => Some(form.with("\\mathcal{O}\\left(#1\\right)", pending)?),
         "mqty" => Some(form.matrix(pending)?),
         "num" => Some(form.number(pending)?),
-        "ang" => Some(form.with("\\frac{#1\\pi}{180}", pending)?),
+        "ang" => Some(form.with("{#1}^{\\circ}", pending)?),
         "e" if is_next(pending, &TokenKind::Super) => Some(form.text("\\mathrm{e}", &[])),
         "div" if starts_a_formula(before) => Some(form.text("\\nabla\\cdot", &[])),
         "genfrac" => {
@@ -206,8 +206,7 @@ impl Form<'_> {
 
     fn quantity(&self, pending: &mut Vec<Token>) -> Result<Vec<Token>, Fault> {
         if two_groups(pending) {
-            return Err(Fault::unsupported(self.span, "\\qty prints a unit, and units in formulas are not supported")
-                .help("leave the unit out, or use a symbol for the quantity"));
+            return siunitx::quantity("\\qty", self.span, pending);
         }
         let bar = TokenKind::Other('|');
         let found = if let Some(inner) = round(pending) {
@@ -289,11 +288,7 @@ impl Form<'_> {
     /// `\num{1.5e3}`.
     fn number(&self, pending: &mut Vec<Token>) -> Result<Vec<Token>, Fault> {
         let inner = self.needed(pending)?;
-        let at = inner.iter().position(|token| matches!(token.kind, TokenKind::Letter('e' | 'E')));
-        Ok(match at {
-            None => inner,
-            Some(at) => self.text("#1\\cdot 10^{#2}", &[inner[..at].to_vec(), inner[at + 1..].to_vec()]),
-        })
+        siunitx::number(&inner, self.span)
     }
 }
 
@@ -381,7 +376,7 @@ mod tests {
         );
         assert_ne!(kinds("\\pdv{f}{x}{y}"), kinds("\\pdv{f}{y}{x}"));
         assert_eq!(kinds("\\sin[2x]").len(), 5);
-        for broken in ["\\qty{3}{kg}", "\\SI{3}{kg}", "\\braket{a}", "\\dv", "\\pdv{", "\\vb"] {
+        for broken in ["\\qty{3}{celsius", "\\SI{3}{\\celsius}", "\\braket{a}", "\\dv", "\\pdv{", "\\vb"] {
             assert!(Macros::default().expand(tokens(broken)).is_err(), "{broken}");
         }
     }

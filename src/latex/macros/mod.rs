@@ -12,6 +12,7 @@
 mod forms;
 mod packages;
 mod parameters;
+mod siunitx;
 
 use std::collections::HashMap;
 

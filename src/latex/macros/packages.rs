@@ -9,7 +9,7 @@ use crate::source::{Fault, Span};
 
 use super::super::lexer::{Token, TokenKind, tokens};
 use super::parameters::{argument, bracketed, star};
-use super::{forms, substitute};
+use super::{forms, siunitx, substitute};
 
 /// Macros with a fixed text: the name without its backslash, the number of arguments, the text. A star after the name
 /// is ignored.
@@ -191,12 +191,9 @@ const TEXTS: &[(&str, usize, &str)] = &[
     ("hdots", 0, "\\dots"),
 ];
 
-/// Macros that only say the size of the delimiter after them, as do those that the lexer leaves out.
-const OF_UNITS: [&str; 6] = ["\\SI", "\\si", "\\unit", "\\qtyrange", "\\SIrange", "\\numlist"];
-
 /// Whether a command is a macro of a package.
 pub(super) fn knows(name: &str) -> bool {
-    text(name).is_some() || forms::knows(name) || OF_UNITS.contains(&name)
+    text(name).is_some() || forms::knows(name) || siunitx::NAMES.contains(&name) || siunitx::LISTS.contains(&name)
 }
 
 fn text(name: &str) -> Option<(usize, &'static str)> {
@@ -208,16 +205,19 @@ fn text(name: &str) -> Option<(usize, &'static str)> {
 /// for a command that is none.
 ///
 /// # Errors
-/// For an argument that is missing, and for units.
+/// For an argument that is missing, and for a quantity that is not supported.
 pub(super) fn expansion(
     name: &str,
     span: Span,
     pending: &mut Vec<Token>,
     before: Option<&Token>,
 ) -> Result<Option<Vec<Token>>, Fault> {
-    if OF_UNITS.contains(&name) {
-        return Err(Fault::unsupported(span, format!("{name} prints a unit, and units in formulas are not supported"))
-            .help("leave the unit out, or use a symbol for the quantity"));
+    if siunitx::NAMES.contains(&name) {
+        return siunitx::quantity(name, span, pending).map(Some);
+    }
+    if siunitx::LISTS.contains(&name) {
+        return Err(Fault::unsupported(span, format!("{name} prints several quantities, and is not supported"))
+            .help("write an equation for each value"));
     }
     let Some((arguments, body)) = text(name) else { return forms::expansion(name, span, pending, before) };
     if arguments > 0 {

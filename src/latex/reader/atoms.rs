@@ -45,6 +45,7 @@ impl Reader<'_> {
                 Err(Fault::new(span, "this subscript or superscript has no base"))
             }
             Layout::Fault(fault) => Err(fault.clone()),
+            Layout::Unit(units) => self.units(units, span),
             Layout::Value(_) => Err(Fault::new(span, "this formula stands for one name, which is not declared here")),
             Layout::Number(digits) => {
                 if digits.parse::<f64>().is_ok_and(f64::is_finite) {

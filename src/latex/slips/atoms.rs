@@ -48,6 +48,9 @@ impl Finder<'_> {
                     }
                     self.root_lost(a);
                     self.root_lost(b);
+                    if self.pool.is_some() {
+                        self.coefficients(a, b);
+                    }
                 }
                 match (number_of(a), number_of(b)) {
                     // A fraction of two numbers is not corrected into 1.

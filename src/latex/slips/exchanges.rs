@@ -1,5 +1,5 @@
-//! Edits for corrections only: two parts exchanged, a product for a quotient, lost bars of a norm, lost roots, and 0
-//! for a whole side.
+//! Edits for corrections only: two parts exchanged, a product for a quotient, lost bars of a norm, lost roots, lost squares of
+//! all terms of a sum, and 0 for a whole side.
 
 use crate::formula::Kind;
 use crate::source::Span;
@@ -15,6 +15,22 @@ const EXCHANGES: usize = 24;
 
 /// The most entries after a matrix entry that it is exchanged with.
 const MOST_CELLS: usize = 8;
+
+/// The numerators and denominators that authors confuse with one another, as ½ with ⅔.
+const COEFFICIENTS: [(&str, &str); 12] = [
+    ("1", "2"),
+    ("1", "3"),
+    ("2", "3"),
+    ("3", "2"),
+    ("1", "4"),
+    ("3", "4"),
+    ("4", "3"),
+    ("2", "5"),
+    ("3", "5"),
+    ("1", "6"),
+    ("1", "8"),
+    ("1", "12"),
+];
 
 /// The names in an item, and whether they stand in a fraction or in parentheses.
 fn gather<'i>(item: &'i Item, within: bool, names: &mut Vec<(&'i Item, bool)>) {
@@ -137,6 +153,76 @@ impl Finder<'_> {
             _ => format!("{} \\, {}", factor(above), factor(below)),
         };
         self.edit(Slip::Fraction, span, product);
+    }
+
+    /// The numbers before numerator and denominator exchanged, `\frac{2a}{3b}` for `\frac{3a}{2b}`; and two other numbers in
+    /// their places, `\frac{2a}{3}` for `\frac{a}{2}`.
+    pub(super) fn coefficients(&mut self, above: &Item, below: &Item) {
+        let (Some(over), Some(under)) = (self.coefficient(above), self.coefficient(below)) else { return };
+        let (n, m) = (self.slice(over.0).to_owned(), self.slice(under.0).to_owned());
+        let mut others: Vec<(&str, &str, Slip)> = Vec::new();
+        // Numerator and denominator that are numbers are exchanged as a whole.
+        if !n.is_empty() && !m.is_empty() && n != m && !(over.1 && under.1) {
+            others.push((&m, &n, Slip::Fraction));
+        }
+        let is_one = |number: &str| if number.is_empty() { "1".to_owned() } else { number.to_owned() };
+        if !n.is_empty() || !m.is_empty() {
+            let both = COEFFICIENTS.into_iter().filter(|(p, q)| is_one(&n) != *p && is_one(&m) != *q);
+            others.extend(both.map(|(p, q)| (p, q, Slip::Number)));
+        }
+        let whole = above.span.to(below.span);
+        for (p, q, slip) in others {
+            let (p, q) = (self.with_coefficient(above, over, p), self.with_coefficient(below, under, q));
+            let between = self.slice(Span::new(above.span.end, below.span.start));
+            self.edit(slip, whole, format!("{p}{between}{q}"));
+        }
+    }
+
+    /// Where the number before a numerator or a denominator stands, or would stand, and whether it is all of it. A sum has none.
+    fn coefficient(&self, argument: &Item) -> Option<(Span, bool)> {
+        let items = match &argument.layout {
+            Layout::Group(items) => items.as_slice(),
+            _ => std::slice::from_ref(argument),
+        };
+        let lists = formulas(items);
+        let [terms] = &lists[..] else { return None };
+        let [Term { sign: None, items }] = &terms[..] else { return None };
+        let factors = self.factors(items);
+        let first = factors.first()?;
+        Some(match first.items {
+            [Item { layout: Layout::Number(_), span }] => (*span, factors.len() == 1),
+            _ => (Span::at(first.span().start), false),
+        })
+    }
+
+    /// A numerator or a denominator with another number before it.
+    fn with_coefficient(&self, argument: &Item, (place, is_all): (Span, bool), number: &str) -> String {
+        let number = match number {
+            "1" if !is_all => String::new(),
+            _ if place.start == place.end => format!("{number} "),
+            _ => number.to_owned(),
+        };
+        let before = self.slice(Span::new(argument.span.start, place.start));
+        let text = format!("{before}{number}{}", self.slice(Span::new(place.end, argument.span.end)));
+        if text.starts_with('{') { text } else { format!("{{{text}}}") }
+    }
+
+    /// The squares of all terms of a sum, where each is a name.
+    pub(super) fn squares_lost(&mut self, terms: &[Term<'_>]) {
+        let is_name = |term: &Term<'_>| {
+            let power = |item: &Item| matches!(item.layout, Layout::Scripts { sup: Some(_), .. });
+            matches!(term.items, [only] if names::printed(only, None).is_some() && !power(only))
+        };
+        if terms.len() < 2 || !terms.iter().all(is_name) || terms[0].sign.is_some() {
+            return;
+        }
+        let squared = |term: &Term<'_>| {
+            let sign = term.sign.map_or(String::new(), |sign| format!(" {} ", self.slice(sign.span)));
+            format!("{sign}{}^2", self.slice(term.span()))
+        };
+        let whole = terms[0].span().to(terms[terms.len() - 1].span());
+        let all: String = terms.iter().map(squared).collect();
+        self.edit(Slip::Exponent, whole, all);
     }
 
     /// A quotient in place of a factor.

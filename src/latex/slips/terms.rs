@@ -42,6 +42,7 @@ impl Finder<'_> {
             if self.pool.is_some() {
                 self.insert_terms(&terms);
                 self.roots_lost(&terms);
+                self.squares_lost(&terms);
                 self.exchange(&terms);
                 self.norms(&terms);
                 self.nothing(&terms);

@@ -189,6 +189,11 @@ fn what_authors_do_and_no_slip_of_one_kind_undoes_is_undone() {
     let pool = |text: &str| Pool::of([text].into_iter(), &symbols, &macros, 48);
     for (wrong, right) in [
         ("\\frac{2}{3} m", "\\frac{2}{5} m"),
+        ("\\frac{1}{2} m", "\\frac{2}{3} m"),
+        ("\\frac12 m", "\\frac{2}{3} m"),
+        ("\\frac{m l}{2 M}", "\\frac{2 m l}{3 M}"),
+        ("\\frac{3 m}{2 (m + M)} x", "\\frac{2 m}{3 (m + M)} x"),
+        ("\\frac{x}{m + M}", "\\frac{x}{m^2 + M^2}"),
         ("M \\sum_i m_i x", "\\frac{1}{M} \\sum_i m_i x"),
         ("\\frac{m}{M} x", "m M x"),
         ("\\frac{1}{m + M} x", "(m + M) x"),

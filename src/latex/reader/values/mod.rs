@@ -1,9 +1,10 @@
-//! Sums, integrals and bars that have a value: each is read as a formula without Σ, ∫ and bars.
+//! Sums, integrals and bars that have a value: each is read as a formula without Σ, ∫ and bars. Units after numbers.
 //!
 //! | file | what is read there |
 //! | --- | --- |
 //! | `sums` | `\sum_{k=1}^{n} k^2`, `\prod_{k=1}^{3} k`, `\sum_{k=0}^{\infty} x^k` over letters that are no declared indices |
 //! | `integrals` | `\int_0^a x\,dx`, `\int_0^\infty e^{-ax}\,dx` |
+//! | `units` | units after numbers |
 //! | `bars` | `\left. f \right|_{x=a}`, `[F]_a^b` |
 //!
 //! The letter of a sum or an integral is a number of its own while its body is read, unless it is a declared number:
@@ -12,6 +13,7 @@
 mod bars;
 mod integrals;
 mod sums;
+mod units;
 
 pub(super) use bars::Place;
 

@@ -1,0 +1,188 @@
+//! Displays whose dimensions contradict those of all other displays.
+//!
+//! Nobody declares units in notes, but each equation says that its terms have one dimension. A display that makes a name a
+//! pure number, which it is not by all other displays together, is in conflict with them. It is called wrong only if one
+//! other exponent makes its dimensions follow from the other displays, and if the conflict stays whichever other display is
+//! left out: of two statements that contradict each other nobody knows which one is right.
+//!
+//! Notes in natural units, where c = 1, are not called wrong: no exponent of a name that is printed makes up for one that is
+//! not.
+
+use std::collections::BTreeSet;
+
+use crate::check::document::checker::Checker;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+use crate::check::verdict::repair::Repair;
+use crate::check::verdict::report::Equation;
+use crate::code::Code;
+use crate::formula::units::UnitCheck;
+use crate::formula::{Expr, Node, Statement, SymbolId, text};
+use crate::latex::read_display;
+use crate::latex::slips::{Edit, Slip, slips};
+use crate::source::Span;
+
+/// The most displays that are compared with each other.
+const MOST: usize = 60;
+
+/// The fewest displays beside the one in question.
+const FEWEST: usize = 3;
+
+/// The highest power that is tried.
+const HIGHEST: u32 = 6;
+
+/// A display in conflict with the others.
+struct Conflict {
+    at: usize,
+    /// The names that it makes pure numbers.
+    names: BTreeSet<SymbolId>,
+    edit: Edit,
+}
+
+/// Calls displays wrong whose dimensions contradict those of the others; `first` is the place of the first finding.
+pub(super) fn blame(checker: &Checker<'_>, first: usize, found: &mut [Equation]) {
+    let all: Vec<(usize, Vec<&Statement>)> = (0..checker.readings.len())
+        .filter_map(|at| Some((at, statements(checker, at)?)))
+        .filter(|(at, _)| {
+            let equation = at.checked_sub(first).and_then(|place| found.get(place));
+            equation.is_none_or(|equation| equation.finding.verdict != Verdict::Refuted)
+        })
+        .collect();
+    if all.len() > MOST || all.len() <= FEWEST {
+        return;
+    }
+    let conflicts: Vec<Conflict> = all
+        .iter()
+        .filter(|(at, _)| {
+            let verdict = at.checked_sub(first).and_then(|place| found.get(place)).map(|found| found.finding.verdict);
+            matches!(verdict, Some(Verdict::Assumed | Verdict::Definition | Verdict::Undecided))
+        })
+        .filter_map(|(at, _)| conflict(checker, *at, &all))
+        .collect();
+    for one in &conflicts {
+        let is_shared = |other: &Conflict| other.at != one.at && !other.names.is_disjoint(&one.names);
+        if !conflicts.iter().any(is_shared) {
+            found[one.at - first] = refuted(checker, one, &found[one.at - first]);
+        }
+    }
+}
+
+/// The statements of a display that say something about dimensions. A plain number with digits after the point may have a
+/// unit that is not printed, and so may a number that is a whole side.
+fn statements<'c>(checker: &'c Checker<'_>, at: usize) -> Option<Vec<&'c Statement>> {
+    let read: Option<Vec<&Statement>> = checker.readings[at].statements.iter().map(|read| read.as_ref().ok()).collect();
+    let is_value = |member: &Expr| matches!(&member.node, Node::Number(_)) && !member.is_zero();
+    let has_decimals = |member: &Expr| {
+        let mut found = false;
+        member.walk(&mut |part| found |= matches!(&part.node, Node::Number(digits) if digits.contains('.')));
+        found
+    };
+    read.filter(|read| {
+        let mut members = read.iter().flat_map(|statement| &statement.members);
+        !read.is_empty() && !members.any(|member| is_value(member) || has_decimals(member))
+    })
+}
+
+/// The edits that put another whole power in the place of one.
+fn other_powers(text: &str) -> Vec<Edit> {
+    let mut found = Vec::new();
+    for (at, _) in text.match_indices('^') {
+        let after = &text[at + 1..];
+        let braces = usize::from(after.starts_with('{'));
+        let digits = after[braces..].bytes().take_while(u8::is_ascii_digit).count();
+        let is_whole = digits == 1 && (braces == 0 || after[braces + digits..].starts_with('}'));
+        let span = Span::new(at + 1 + braces, at + 1 + braces + digits);
+        let others =
+            (1..=HIGHEST).map(|power| power.to_string()).filter(|power| is_whole && *power != text[span.range()]);
+        found.extend(others.map(|replacement| Edit { span, replacement, slip: Slip::Exponent }));
+    }
+    found
+}
+
+fn symbols_of(statements: &[&Statement]) -> BTreeSet<SymbolId> {
+    let members = statements.iter().flat_map(|statement| &statement.members);
+    members.flat_map(Expr::symbols).map(|(id, _)| id).collect()
+}
+
+fn conflict(checker: &Checker<'_>, at: usize, all: &[(usize, Vec<&Statement>)]) -> Option<Conflict> {
+    let (symbols, display) = (&checker.model.symbols, &checker.notes.equations[at]);
+    let own = &all.iter().find(|(other, _)| *other == at)?.1;
+    let mut others = UnitCheck::new(symbols);
+    let mut known = BTreeSet::new();
+    let mut uses: Vec<SymbolId> = Vec::new();
+    for (_, statements) in all.iter().filter(|(other, _)| *other != at) {
+        statements.iter().for_each(|statement| drop(others.statement(statement)));
+        let found = symbols_of(statements);
+        uses.extend(&found);
+        known.extend(found);
+    }
+    let pure = |check: &UnitCheck<'_>| -> BTreeSet<SymbolId> {
+        known.iter().copied().filter(|id| check.inference.is_pure_number(*id)).collect()
+    };
+    let before = pure(&others);
+    let mut with = others.clone();
+    let misfits = own.iter().any(|statement| !with.statement(statement).is_empty());
+    let used_often = |id: &SymbolId| uses.iter().filter(|used| *used == id).count() > 1;
+    let names: BTreeSet<SymbolId> = pure(&with).difference(&before).copied().filter(used_often).collect();
+    if !misfits && names.is_empty() {
+        return None;
+    }
+    // Two displays that contradict each other: either may be the wrong one.
+    let rest: Vec<&Statement> =
+        all.iter().filter(|(place, _)| *place != at).flat_map(|(_, statements)| statements).copied().collect();
+    let goes_on_without = |other: usize| {
+        let mut check = UnitCheck::new(symbols);
+        let rest = rest.iter().enumerate().filter(|(place, _)| *place != other);
+        rest.for_each(|(_, statement)| drop(check.statement(statement)));
+        let earlier = pure(&check);
+        let misfits = own.iter().any(|statement| !check.statement(statement).is_empty());
+        misfits || pure(&check).difference(&earlier).any(|id| names.contains(id))
+    };
+    if !(0..rest.len()).all(goes_on_without) {
+        return None;
+    }
+    let fits = |edit: &Edit| {
+        let mut table = symbols.clone();
+        let reading = read_display(&edit.applied(&display.text), &mut table, &checker.model.macros);
+        let read: Option<Vec<&Statement>> = reading.statements.iter().map(|read| read.as_ref().ok()).collect();
+        let Some(read) = read.filter(|read| !read.is_empty()) else { return false };
+        let mut check = UnitCheck::new(&table);
+        check.inference = others.inference.clone();
+        let before = check.inference.requirements();
+        let new = symbols_of(&read).difference(&known).count();
+        read.iter().all(|statement| check.statement(statement).is_empty())
+            && check.inference.requirements() <= before + new
+    };
+    let edits = slips(&display.text, symbols, &checker.model.macros);
+    let likely = edits.into_iter().filter(|edit| edit.slip == Slip::Exponent);
+    let edit = likely.chain(other_powers(&display.text)).find(fits)?;
+    Some(Conflict { at, names, edit })
+}
+
+/// The finding that a display is wrong.
+fn refuted(checker: &Checker<'_>, conflict: &Conflict, before: &Equation) -> Equation {
+    let start = checker.notes.equations[conflict.at].body.start;
+    let shown: Vec<String> = conflict.names.iter().map(|id| text::plain(&checker.model.name(*id))).collect();
+    let consequence = match shown.as_slice() {
+        [] => "its terms have different dimensions by the other displays".to_owned(),
+        [name] => format!("with this display {name} would be a pure number, and by the other displays it is none"),
+        names => {
+            format!(
+                "with this display {} would be pure numbers, and by the other displays they are none",
+                names.join(", ")
+            )
+        }
+    };
+    let message = format!("the dimensions do not fit: {consequence}");
+    let finding = Finding::new(Code::DimensionsConflict, Verdict::Refuted, before.finding.span, message);
+    let repair = Repair {
+        span: conflict.edit.span.shifted(start),
+        replacement: conflict.edit.replacement.clone(),
+        slip: conflict.edit.slip,
+        verdict: Verdict::Assumed,
+        step: false,
+        idle: false,
+        shared: None,
+    };
+    Equation { finding, parts: Vec::new(), repairs: vec![repair], elsewhere: Vec::new(), ok: false, ..before.clone() }
+}

@@ -1,0 +1,89 @@
+//! The later equalities of chains, as displays of their own.
+//!
+//! In `Q = \int p\,dV = nRT \ln(V_1/V_2)` the first equality may be a definition or a law, and then the chain as a whole does
+//! not follow. Its later equalities may still be wrong by themselves. Each is judged as a display of its own, at the end of the
+//! notes, with the premises and the words that the chain has.
+
+use crate::check::document::checker::Checker;
+use crate::check::model::claim::is_equality;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::report::Equation;
+use crate::formula::Statement;
+use crate::notes::{Display, Notes, Numbered};
+use crate::source::Span;
+
+/// The most equalities that are judged by themselves.
+const MOST: usize = 24;
+
+/// Notes with the later equalities of chains at their end.
+pub(super) struct Apart {
+    /// The notes.
+    pub notes: Notes,
+    /// The place of the chain of each equality, in the order of the equalities.
+    pub origins: Vec<usize>,
+}
+
+/// The chains that are taken for granted, taken apart; `first` is the place of the first finding. `None`, if there is none.
+pub(super) fn apart(checker: &Checker<'_>, first: usize, found: &[Equation]) -> Option<Apart> {
+    let mut apart = Apart { notes: checker.notes.clone(), origins: Vec::new() };
+    apart.notes.equations.truncate(first + found.len());
+    for (place, equation) in found.iter().enumerate() {
+        let at = first + place;
+        let [Ok(statement)] = checker.readings[at].statements.as_slice() else { continue };
+        let all_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
+        if equation.finding.verdict != Verdict::Assumed || statement.members.len() < 3 || !all_equal {
+            continue;
+        }
+        for link in 1..statement.relations.len() {
+            if apart.origins.len() < MOST
+                && let Some(display) = alone(&checker.notes.equations[at], statement, link)
+            {
+                apart.notes.equations.push(display);
+                apart.origins.push(at);
+            }
+        }
+    }
+    (!apart.origins.is_empty()).then_some(apart)
+}
+
+/// One equality of a chain as a display.
+fn alone(display: &Display, statement: &Statement, link: usize) -> Option<Display> {
+    let start = statement.relations.get(link - 1)?.1.end;
+    let end = match statement.relations.get(link + 1) {
+        Some((_, next)) => next.start,
+        None => statement.members.last()?.span.end,
+    };
+    let text = display.text.get(start..end)?;
+    // What separates the rows of the chain is no part of a side.
+    let significant = text.trim_end_matches(|c: char| c.is_whitespace() || c == '&' || c == '\\');
+    let end = start + significant.len();
+    let start = end - significant.trim_start_matches(|c: char| c.is_whitespace() || c == '&').len();
+    let body = Span::new(start, end).shifted(display.body.start);
+    let id = format!("{} equality {}", display.id()?, link + 1);
+    Some(Display {
+        span: body,
+        body,
+        parts: vec![body],
+        text: display.text[start..end].to_owned(),
+        number: Some(Numbered { id, span: body }),
+        labels: Vec::new(),
+        automatic: Vec::new(),
+        ..display.clone()
+    })
+}
+
+/// Gives each chain with a wrong equality the finding on it; the findings on the equalities come after those on the displays.
+pub(super) fn merged(found: &mut [Equation], first: usize, apart: &Apart, links: &[Equation]) {
+    for (origin, link) in apart.origins.iter().zip(links) {
+        let Some(chain) = origin.checked_sub(first).and_then(|place| found.get_mut(place)) else { continue };
+        if link.finding.verdict == Verdict::Refuted && chain.finding.verdict == Verdict::Assumed {
+            *chain = Equation {
+                finding: link.finding.clone(),
+                repairs: link.repairs.clone(),
+                parts: Vec::new(),
+                ok: false,
+                ..chain.clone()
+            };
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! Units after numbers: `9.8\,\text{m/s}^2`, `\mathrm{kg\,m^{-3}}`, `\text{k}\Omega`, `25\%`, `30^\circ`.
+//!
+//! Upright words are units where they spell units and nothing else ([`spelled`]), and stand after a number, after a closed
+//! group of numbers, or in a fraction of such quantities ([`places`]). Elsewhere they stay what they are: a subscript, a
+//! name, a remark. What could be read in two ways is a fault.
+
+mod places;
+mod spelled;
+
+use crate::formula::units::Unit;
+use crate::source::{Fault, Span};
+
+use super::item::{Item, Layout};
+
+pub(super) use places::settled;
+
+/// A product of powers of units, as it was printed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Units {
+    /// The units with their exponents.
+    pub factors: Vec<(Unit, i32)>,
+    /// Why it may be read in two ways.
+    pub fault: Option<Fault>,
+    /// What was printed, without a meaning.
+    pub plain: Vec<Item>,
+    /// Whether a slash stands in it, after which one more factor would be ambiguous.
+    divides: bool,
+    /// Whether it is one upright letter without `\text`, which may be a name.
+    is_letter: bool,
+}
+
+impl Units {
+    fn none() -> Units {
+        Units { factors: Vec::new(), fault: None, plain: Vec::new(), divides: false, is_letter: false }
+    }
+
+    /// Multiplies by other units, or divides by them.
+    fn join(&mut self, other: Units, by_slash: bool, span: Span) {
+        if self.divides && !by_slash || by_slash && other.divides {
+            self.fault.get_or_insert_with(|| {
+                Fault::ambiguous(span, "the / in this unit may divide by the next unit only, or by all units after it")
+                    .help("write J/(kg\\,K) or J\\,kg^{-1}\\,K^{-1}")
+            });
+        }
+        self.fault = self.fault.take().or(other.fault);
+        self.divides |= by_slash || other.divides;
+        self.is_letter = self.factors.is_empty() && other.is_letter;
+        let sign = if by_slash { -1 } else { 1 };
+        self.factors.extend(other.factors.into_iter().map(|(unit, exponent)| (unit, sign * exponent)));
+    }
+
+    /// Raises the last unit to a power, as people read `\text{m/s}^2`.
+    fn raise(&mut self, power: i32, span: Span) {
+        let Some((unit, exponent)) = self.factors.last_mut() else { return };
+        // In Britain `ms^{-1}` is a metre per second.
+        if power < 0 && unit.symbol() == "ms" {
+            self.fault = Some(
+                Fault::ambiguous(span, "ms^{-1} may be a metre per second, or one by a millisecond")
+                    .help("write m\\,s^{-1} or (ms)^{-1}"),
+            );
+        }
+        *exponent *= power;
+    }
+}
+
+/// An upright word with its argument. It may be units, which its place decides.
+pub(super) fn word(word: Layout, argument: &Item, span: Span) -> Item {
+    let is_text = matches!(word, Layout::Text(_));
+    let item = Item { layout: word, span };
+    match spelled::candidate(&item, argument, is_text) {
+        Some(found) => Item { layout: Layout::Unit(found), span },
+        None => item,
+    }
+}
+
+/// The whole number, with a sign perhaps, that a superscript is.
+fn exponent(item: &Item) -> Option<i32> {
+    const LARGEST: i32 = 12;
+    let items = match &item.layout {
+        Layout::Group(items) => items.as_slice(),
+        _ => std::slice::from_ref(item),
+    };
+    let (sign, number) = match items {
+        [Item { layout: Layout::Other('-' | '−'), .. }, number] => (-1, number),
+        [Item { layout: Layout::Other('+'), .. }, number] | [number] => (1, number),
+        _ => return None,
+    };
+    match &number.layout {
+        Layout::Number(digits) => {
+            digits.parse().ok().filter(|value| (1..=LARGEST).contains(value)).map(|value: i32| sign * value)
+        }
+        _ => None,
+    }
+}
