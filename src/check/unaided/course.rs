@@ -196,7 +196,7 @@ impl Course<'_, '_> {
         let solved = solutions::solved((at, &symbols), &before, self.checker.readings, self.checker.model);
         for solution in &solved {
             let found = self.equation(&self.quick, at, &solution.claim)?;
-            if found.finding.verdict.passes() {
+            if let Some(found) = gate::as_following(found) {
                 // What is solved says more than the relation did: it is a premise too.
                 let found = solution.found(found);
                 self.take_for_granted(at);
@@ -317,7 +317,7 @@ impl Course<'_, '_> {
         if !screen::may_follow(&self.quick, at, claim)? {
             return Ok(None);
         }
-        Ok(Some(self.equation(&self.quick, at, claim)?).filter(|found| found.finding.verdict.passes()))
+        Ok(gate::as_following(self.equation(&self.quick, at, claim)?))
     }
 
     /// The finding that a display is wrong, if a likely slip separates it from what follows.

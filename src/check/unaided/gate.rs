@@ -146,6 +146,22 @@ pub(super) fn as_it_counts(mut equation: Equation) -> Equation {
     equation
 }
 
+/// The equation, if it passes. What defines names beside an equality that passes takes nothing from it:
+/// `\ddot x + 2\gamma\dot x = 0, \quad \gamma = b/2m`.
+pub(super) fn as_following(equation: Equation) -> Option<Equation> {
+    if equation.finding.verdict.passes() {
+        return Some(equation);
+    }
+    let defines = |finding: &Finding| {
+        matches!(finding.code, Code::DefinitionUnused | Code::DefinitionNotTested | Code::DefinitionUpToSign)
+    };
+    let mut findings = equation.parts.iter().map(|part| &part.finding);
+    let passing =
+        findings.clone().find(|finding| finding.verdict.passes() && finding.verdict != Verdict::Definition)?;
+    let finding = passing.clone();
+    findings.all(|finding| finding.verdict.passes() || defines(finding)).then_some(Equation { finding, ..equation })
+}
+
 /// The equation as it counts where it gives a new name a formula.
 pub(super) fn introduces(equation: Equation, name: &str) -> Equation {
     let finding =

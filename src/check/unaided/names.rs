@@ -64,6 +64,8 @@ pub(in crate::check) fn names_of(displays: &[Display], macros: &Macros) -> Vec<U
                 note_left(&items[row..], at, &mut found);
             }
             left = matches!(&item.layout, Layout::Row | Layout::Align | Layout::Other(',' | ';'))
+                // Words stand between statements: "with", "where".
+                || matches!(&item.layout, Layout::Text(_))
                 || matches!(&item.layout, Layout::Space(_)) && (left || row > 0 && starts(&items[row - 1]))
                 || matches!(&item.layout, Layout::Command(name) if name == "\\quad" || name == "\\qquad");
         }
