@@ -114,11 +114,11 @@ codes! {
     ///
     /// `verified` rests on numbers: the states are drawn at random, obey the hypotheses, and tell the claim from
     /// each mutant of it. `certified` adds an exact test modulo a prime, with the probability of a false pass.
-    /// For example, `(a + b)^2 = a^2 + 2ab + b^2` holds always, and `\ddot\theta = -(g/l)\sin\theta` on shell.
+    /// For example, `(a + b)^2 = a^2 + 2ab + b^2` holds always. An equation of motion holds on shell.
     Holds = "holds",
     /// The two sides of an equation differ at a sampled state, which is given.
     ///
-    /// For example, `(a + b)^2 = a^2 + b^2` differs wherever `ab` is not 0. The counterexample lists the values.
+    /// For example, `(a + b)^2 = a^2 + b^2` differs wherever ab is not 0. The counterexample lists the values.
     /// With laws in the claims file the message is: this does not follow from the law.
     /// Compare the two values, look at the suggestion, and correct the equation or the claims file.
     SidesDiffer = "sides-differ",
@@ -129,7 +129,7 @@ codes! {
     NumbersDiffer = "numbers-differ",
     /// An inequality, or `\neq`, fails at a state that obeys all hypotheses.
     ///
-    /// For example, `x^2 > 0` fails at `x = 0`. States are drawn at random, at the boundary of the inequality, and by
+    /// For example, `x^2 > 0` fails at x = 0. States are drawn at random, at the boundary of the inequality, and by
     /// a search for the smallest margin. Correct the inequality, or state the range in which it holds.
     InequalityFails = "inequality-fails",
     /// Exact arithmetic shows that the two sides differ, although floating-point numbers agree.
@@ -161,7 +161,7 @@ codes! {
     NoState = "no-state",
     /// Too few sampled states gave a number on both sides.
     ///
-    /// For example, `\sqrt{1 - v^2/c^2}` has no value where `v > c`. Narrow the ranges in the claims file (for example,
+    /// For example, `\sqrt{1 - v^2/c^2}` has no value where v is above c. Narrow the ranges in the claims file (for example,
     /// assume `v < c`).
     TooFewStates = "too-few-states",
     /// At some states the sides differ by more than rounding error and by less than a clear difference.
@@ -185,7 +185,7 @@ codes! {
     MutantPasses = "mutant-passes",
     /// A side is 0 at all states, so that a wrong factor or sign in it would not be noticed.
     ///
-    /// For example, `\frac{d}{dt}(\vec r \times \vec r) = 0`, where a dot was lost.
+    /// For example, `\frac{d}{dt}(\vec r \times \vec r) = \vec 0`, where a dot was lost.
     /// Check the side for a lost symbol; if it is 0, print it as 0.
     SideAlwaysZero = "side-always-zero",
     /// The claim is one of its hypotheses, or says the same as them in other words.
@@ -308,7 +308,7 @@ codes! {
     NoRelation = "no-relation",
     /// ≈ says that two sides are nearly equal, and the claims file does not say when.
     ///
-    /// For example, `\sin\theta \approx \theta` needs `"small": "\theta"`. Add a `limit` or a `small` quantity.
+    /// For example, `\sin\theta \approx \theta` holds for small θ. Add a `limit` or a `small` quantity.
     NeedsLimitOrSmall = "needs-limit-or-small",
     /// No other equation uses a defined name, or none that passes does, so the definition was not tested.
     ///
@@ -334,8 +334,8 @@ codes! {
     DefinitionUpToSign = "definition-up-to-sign",
     /// The display defines the Lagrangian, or a name that the Lagrangian contains.
     ///
-    /// For example, `L = T - V` with `"means": { "L": "Lagrangian" }` and no `system`. This is a pass: the equations of
-    /// motion follow from the Lagrangian as it is printed, and the other displays are checked with them.
+    /// For example, `L = \frac12 m \dot x^2 - \frac12 k x^2` with `"means": { "L": "Lagrangian" }`. This is a pass: the
+    /// equations of motion follow from the Lagrangian as it is printed, and the other displays are checked with them.
     LagrangianDefined = "lagrangian-defined",
     /// A display gives a name a formula, in notes without a claims file.
     ///

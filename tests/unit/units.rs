@@ -249,7 +249,7 @@ fn a_matrix_of_rotation_has_no_unit_and_a_family_has_one() {
         &units,
         &[r"\mathbf{R} = \mathbf{R}_z(\psi)", r"\dot{\hat e}_a = \vec\omega \times \hat e_a", r"\omega_1 = \dot\theta"],
     );
-    names_the_term(&body, &units, &[r"\mathbf{R} = h \mathbf{R}_z(\psi)"], r"h \mathbf{R}_z(\psi)", &["is m:"]);
+    names_the_term(&body, &units, &[r"\mathbf{R} = h \mathbf{R}_z(\psi)"], r"h \mathbf{R}_z(\psi)", &["is in m,"]);
     names_the_term(&body, &units, &[r"\mathbf{R}_z(h) = 1"], "h", &["the angle of a rotation"]);
     names_the_term(
         &body,

@@ -47,7 +47,7 @@ impl Example {
         for (name, content) in *files {
             text.push_str(&format!("\n{name}\n\n"));
             for line in content.lines() {
-                text.push_str(&format!("    {line}").trim_end());
+                text.push_str(format!("    {line}").trim_end());
                 text.push('\n');
             }
         }

@@ -196,4 +196,20 @@ $$ p v = m v^2 \tag{2} $$",
             ),
         ],
     },
+    Example {
+        word: "dimensions-conflict",
+        command: "onshell check notes.md",
+        files: &[(
+            "notes.md",
+            r"$$ E = \gamma m c^2 $$
+
+$$ p = \gamma m v $$
+
+$$ \gamma = \frac{1}{\sqrt{1 - v^2/c^2}} $$
+
+$$ T = E - m c^2 $$
+
+$$ E^2 = p^2c^2 + m^2c^2 $$",
+        )],
+    },
 ];
