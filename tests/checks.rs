@@ -57,6 +57,8 @@ mod small;
 mod solutions_of_laws;
 #[path = "checks/steps.rs"]
 mod steps;
+#[path = "checks/symmetries.rs"]
+mod symmetries;
 #[path = "checks/terms.rs"]
 mod terms;
 #[path = "checks/units.rs"]

@@ -72,6 +72,12 @@ impl Checker<'_> {
         Ok(Link { lhs, relation, rhs, free: shape::union(&a.free, &b.free) })
     }
 
+    /// Whether a link says what one of several normal frequencies is.
+    pub(crate) fn is_mode(&self, link: &Link) -> bool {
+        let name = link.lhs.as_plain_symbol().map(|id| &self.model.symbols.entry(id).name);
+        name.is_some_and(|name| self.model.modes.contains(name))
+    }
+
     /// The links of a statement that is a hypothesis; a = b = 0 gives a = 0 and b = 0.
     fn links(&self, statement: &Statement) -> Result<Vec<Link>> {
         if !statement.conditions.is_empty() {

@@ -90,5 +90,8 @@ pub(crate) fn is_plain(claim: &Claim) -> bool {
         && claim.small.is_empty()
         && claim.exactly_when.is_empty()
         && claim.continuum_limit_of.is_none()
+        && claim.equilibrium.is_none()
+        && claim.symmetry.is_empty()
+        && claim.secular_for.is_none()
         && claim.skip.is_none()
 }

@@ -2,7 +2,7 @@
 //! and of L by the coordinate and by the velocity, with the coordinate at 0 and at rest.
 //!
 //! It is a formula, and no condition: so its derivatives follow, and what does not contain it holds where 0 is unstable too. With
-//! several coordinates det(K − ω²M) = 0 has several roots, and what holds for one of them could pass. So that is rejected.
+//! several coordinates det(K − ω²M) = 0 has several roots: see `crate::check::kinds::mechanics::modes`.
 
 use crate::formula::derivative::{self, Scope};
 use crate::formula::tree::Variable;
@@ -17,7 +17,7 @@ use crate::check::model::meaning::Meaning;
 /// Gives the normal frequencies of the document their formula, once the Lagrangian is defined.
 ///
 /// # Errors
-/// Where the Lagrangian has several coordinates, or no such derivatives as formulas.
+/// Where the Lagrangian has no coordinate, or no such derivatives as formulas.
 pub(crate) fn define(model: &mut Model) -> Result<()> {
     let Some(first) = model.normal_frequencies.first() else { return Ok(()) };
     let name = text::plain(&first.to_string());
@@ -29,8 +29,7 @@ pub(crate) fn define(model: &mut Model) -> Result<()> {
     let unsupported = |what: &str| Error::new(format!("{name} is no normal frequency: {what}"));
     let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
     let [only] = coordinates.as_slice() else {
-        return Err(unsupported("the Lagrangian has more than one coordinate, and so several of them")
-            .help("declare it as a constant, and claim that it solves the printed secular equation, with \"solves\""));
+        return Err(unsupported("the Lagrangian has no coordinate").help("declare one under \"coordinates\""));
     };
     let second = |a: u8, b: u8| {
         let found = at_rest(model, lagrangian, [(*only, a), (*only, b)], &coordinates);

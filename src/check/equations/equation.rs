@@ -18,6 +18,7 @@ use crate::check::equations::merge::{expected, merged, worst};
 use crate::check::equations::whole::{contains, is_inequality, with_dropped};
 use crate::check::hypotheses::rule::{Action, Rule};
 use crate::check::judge::{identity, term_fit};
+use crate::check::kinds::mechanics::modes;
 use crate::check::kinds::{conserved, exactly_when};
 use crate::check::model::claim::{Link, is_equality};
 use crate::check::model::meaning::Meaning;
@@ -183,6 +184,9 @@ impl Checker<'_> {
             }
             None => hypotheses.clone(),
         };
+        if let (Some(claimed), true) = (&claim.equilibrium, reading.statements.iter().all(Result::is_ok)) {
+            return self.equilibria(reading, (claim, claimed.value), &hypotheses, offset, topic);
+        }
         let on_shell = claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
         let context = |topic: &'_ str, span: Span| -> (String, Span) { (topic.to_owned(), span.shifted(offset)) };
         let mut parts = Vec::new();
@@ -308,6 +312,7 @@ impl Checker<'_> {
             let says_more = claim.also_equals.is_some()
                 || claim.generates.is_some()
                 || claim.same_motion_as.is_some()
+                || !claim.symmetry.is_empty()
                 || claim.solves.is_some()
                 || claim.conserved.is_some()
                 || statement.constant.is_some();
@@ -347,6 +352,15 @@ impl Checker<'_> {
                     Verdict::Unreadable,
                     "∝ is not supported; write an equation with a constant",
                 ),
+                Relation::Equal if at == 0 && self.is_mode(&link) => {
+                    let mode =
+                        link.lhs.as_plain_symbol().map(|id| self.mode(id, &link.rhs, &context)).transpose()?.flatten();
+                    mode.map_or_else(|| identity::check(&link, &context), Ok)?
+                }
+                Relation::Equal if claim.secular_for.is_some() => match &claim.secular_for {
+                    Some(omega) => modes::secular_equation(&link, self.symbol(omega)?, &context)?,
+                    None => identity::check(&link, &context)?,
+                },
                 relation if !is_equality(*relation) && !claim.exactly_when.is_empty() => {
                     exactly_when::check(&link, &self.alternatives(claim)?, &context)?
                 }

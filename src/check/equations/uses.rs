@@ -1,6 +1,7 @@
 //! The uses of a defined name: equations and sentences that contain it, and equations that hold by a law that contains it.
 
 use crate::code::Code;
+use crate::formula::symbols::Name;
 use crate::formula::{Expr, Kind, Node, Relation, Statement, SymbolId, text};
 use crate::latex::DefinedSymbol;
 use crate::notes::claims::Claim;
@@ -16,7 +17,9 @@ use crate::check::equations::definition_tests::Use;
 use crate::check::kinds::definitions;
 use crate::check::kinds::definitions::User;
 use crate::check::kinds::identified;
+use crate::check::kinds::mechanics::modes;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::model::meaning::Meaning;
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::vacuity::restatement;
@@ -40,6 +43,9 @@ impl Checker<'_> {
         if printed_lagrangian::is_part(self.model, symbol) {
             return Ok(self.part_of_the_lagrangian(symbol, context));
         }
+        if let Some(finding) = self.mode(introduced.symbol, &introduced.formula, context)? {
+            return Ok(finding);
+        }
         let (uses, restated) = self.uses(introduced)?;
         let approximations = ApproximateUses::of(self, symbol)?;
         let whole = self.whole_displays(introduced)?.without(&restated);
@@ -58,6 +64,30 @@ impl Checker<'_> {
         let mut users: Vec<User<'_>> = uses.iter().map(|used| used.by(context)).collect();
         let by_law: Vec<User<'_>> = by_law.iter().map(|used| used.by(context)).collect();
         definitions::check(symbol, &introduced.formula, (&mut users, &by_law, &[&approximations, &whole]), context)
+    }
+
+    /// The finding on a name that the claims file says is one of several normal frequencies.
+    pub(crate) fn mode(&self, symbol: SymbolId, formula: &Expr, context: &Context<'_>) -> Result<Option<Finding>> {
+        let square = |id: SymbolId, formula: &Expr| match self.model.symbols.entry(id).squared {
+            true => formula.clone(),
+            false => Expr::new(
+                Node::Power(Box::new(formula.clone()), Box::new(Expr::integer(2, formula.span))),
+                formula.span,
+            ),
+        };
+        let named = |name: &Name| self.model.symbols.find(name).map(|(id, _)| id);
+        let Some(place) = self.model.modes.iter().position(|name| named(name) == Some(symbol)) else {
+            return Ok(None);
+        };
+        let before = self.model.modes[..place].iter().filter_map(|name| {
+            let id = named(name)?;
+            match self.model.meaning(id) {
+                Some(Meaning::Defined(formula)) => Some((text::plain(&name.to_string()), square(id, formula))),
+                _ => None,
+            }
+        });
+        let own = square(symbol, formula);
+        modes::check(&own, &before.collect::<Vec<_>>(), context).map(Some)
     }
 
     /// The finding on a definition from which the motion follows, since the Lagrangian is made of it.

@@ -1,19 +1,21 @@
-//! Claims about an equation as a whole: `solves`, `also equals`, `conserved`, `generates`.
+//! Claims about an equation as a whole: `solves`, `also equals`, `conserved`, `symmetry`, `generates`, `equilibrium`.
 
 use crate::check::document::checker::Checker;
 use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::identity;
-use crate::check::kinds::{conserved, generates, same_motion, solves};
+use crate::check::kinds::mechanics::{charge, equilibrium, generates, same_motion};
+use crate::check::kinds::{conserved, solves};
 use crate::check::model::claim::Hypothesis;
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::Part;
 use crate::code::Code;
 use crate::formula::tree::Sign;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
 use crate::latex::{DefinedSymbol, Reading};
-use crate::notes::claims::{Claim, Conserved, Holds, Solved, Spanned};
+use crate::notes::claims::{Claim, Conserved, Equilibrium, Holds, Solved, Spanned};
 use crate::{Error, Result};
 
 impl Checker<'_> {
@@ -118,11 +120,94 @@ impl Checker<'_> {
             let finding = same_motion::check(printed, &self.formula(other)?, &context)?;
             parts.push(self.part(finding, format!("the same motion as {}", other.value)));
         }
+        if !claim.symmetry.is_empty() {
+            let change = claim.symmetry.iter().map(|(name, latex)| Ok((self.symbol(name)?, self.formula(latex)?)));
+            let finding = charge::check(printed, &change.collect::<Result<Vec<_>>>()?, &context)?;
+            let what = text::formula(printed, &self.model.symbols);
+            parts.push(self.part(finding, format!("{what} is the charge of the symmetry")));
+        }
         if claim.generates.is_some() {
             let finding = generates::check(printed, &context)?;
             parts.push(self.part(finding, "it generates the motion by Hamilton's equations".to_owned()));
         }
         Ok(())
+    }
+
+    /// The findings on a display that prints equilibria, one for each statement. What other statements say of other
+    /// coordinates holds too; what they say of the same coordinates is another equilibrium.
+    ///
+    /// # Errors
+    /// For a claim that does not fit the equation.
+    pub(crate) fn equilibria(
+        &self,
+        reading: &Reading,
+        (claim, claimed): (&Claim, Equilibrium),
+        hypotheses: &[Hypothesis],
+        offset: usize,
+        topic: &str,
+    ) -> Result<Vec<Part>> {
+        let coordinates = |statement: &Statement| -> Vec<SymbolId> {
+            let all = self.model.coordinates.iter().map(|coordinate| coordinate.symbol);
+            all.filter(|q| statement.members.iter().any(|member| self.model.depends_on(member, &[*q]))).collect()
+        };
+        let mut given = hypotheses.to_vec();
+        for (name, latex) in &claim.at {
+            let place = Expr::new(
+                Node::Symbol { id: self.symbol(name)?, indices: Vec::new(), dots: 0 },
+                crate::source::Span::default(),
+            );
+            given.push(Hypothesis::of(self.link(&place, Relation::Equal, &self.formula(latex)?)?, false));
+        }
+        let said = |at: usize, statement: &Statement| -> Result<Vec<Hypothesis>> {
+            let is_definition = reading.introduced.iter().any(|introduced| introduced.statement == at);
+            let links = statement.relations.iter().enumerate().filter(|_| !is_definition);
+            let link = |(n, (relation, _)): (usize, &(Relation, _))| {
+                let link = self.link(&statement.members[n], *relation, &statement.members[n + 1])?;
+                Ok(Hypothesis::of(link, false))
+            };
+            links.map(link).collect()
+        };
+        let statements: Vec<(usize, &Statement)> =
+            reading.statements.iter().enumerate().filter_map(|(at, s)| Some((at, s.as_ref().ok()?))).collect();
+        let mut parts = Vec::new();
+        // Statements that make one equilibrium are judged once.
+        let mut judged: Vec<(Vec<usize>, Finding)> = Vec::new();
+        for (at, statement) in &statements {
+            let own = coordinates(statement);
+            let mut all = given.clone();
+            let mut together = Vec::new();
+            for (other, beside) in &statements {
+                if other == at || !coordinates(beside).iter().any(|q| own.contains(q)) {
+                    all.extend(said(*other, beside)?);
+                    together.push(*other);
+                }
+            }
+            let topic = format!("{topic} equilibrium {}", at + 1);
+            let context = Context {
+                model: self.model,
+                options: self.options,
+                hypotheses: &all,
+                on_shell: Some(true),
+                topic: &topic,
+                span: statement.span.shifted(offset),
+                spread: Spread::Declared,
+                local: &[],
+            };
+            let known = judged.iter().find(|(known, _)| *known == together).map(|(_, finding)| finding.clone());
+            let finding = match own.is_empty() && claim.at.is_empty() {
+                true => {
+                    let message = "this says nothing of a coordinate; say under \"at\" where each coordinate is";
+                    context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message)
+                }
+                false => match known {
+                    Some(finding) => Finding { span: context.span, ..finding },
+                    None => equilibrium::check(claimed, &context)?,
+                },
+            };
+            judged.push((together, finding.clone()));
+            parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
+        }
+        Ok(parts)
     }
 
     /// Whether a member is the unknown that a claim solves for; the member beside it is then the solution.

@@ -50,7 +50,10 @@ impl Checker<'_> {
                 continue;
             }
             let link = self.link(&statement.members[0], statement.relations[0].0, &statement.members[1])?;
-            if self.solution(&link, 0, claim).is_some() || self.is_along_the_motion(&link) {
+            if claim.secular_for.is_some()
+                || self.solution(&link, 0, claim).is_some()
+                || self.is_along_the_motion(&link)
+            {
                 return Ok(true);
             }
         }

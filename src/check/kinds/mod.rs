@@ -2,7 +2,7 @@
 //!
 //! A new kind of claim goes here. The file of a kind has a function `check(…, &Context) -> Result<Finding>`, which samples states with
 //! [`Context::ensemble`](crate::check::sample::context::Context::ensemble) and tests mutants of the claim. [`shapes`] has
-//! the sentences about a function of one variable. [`compare`] compares two
+//! the sentences about a function of one variable, [`mechanics`] the claims about a Lagrangian. [`compare`] compares two
 //! formulas without a document. An identity between two formulas is judged in [`crate::check::judge::identity`]. Knows `judge` and below; `equations` calls it.
 
 pub(crate) mod compare;
@@ -10,12 +10,11 @@ pub(crate) mod conserved;
 pub(crate) mod continuum;
 pub(crate) mod definitions;
 pub(crate) mod exactly_when;
-pub(crate) mod generates;
 pub(crate) mod identified;
 pub(crate) mod limit;
+pub(crate) mod mechanics;
 pub(crate) mod printed_solution;
 pub(crate) mod rate;
-pub(crate) mod same_motion;
 pub(crate) mod shapes;
 pub(crate) mod small;
 pub(crate) mod solution;

@@ -100,6 +100,8 @@ pub struct Model {
     pub constraints: Vec<Hypothesis>,
     /// The names of the normal frequencies of the Lagrangian in the notes.
     pub normal_frequencies: Vec<Name>,
+    /// The names of the normal frequencies of several coordinates, each of which a display defines.
+    pub modes: Vec<Name>,
     /// The macros of the author.
     pub macros: Macros,
     /// Names of the claims file whose definition stands in a display that cannot be read.
@@ -132,6 +134,7 @@ impl Model {
             laws: Vec::new(),
             constraints: Vec::new(),
             normal_frequencies: Vec::new(),
+            modes: Vec::new(),
             macros,
             unread_names: Vec::new(),
             unread_laws: Vec::new(),

@@ -185,7 +185,10 @@ impl Builder<'_> {
                     let twice = self.error(latex, format!("{} is declared twice", latex.value));
                     return Err(twice.help("remove one of the two declarations"));
                 }
-                self.model.normal_frequencies.push(name);
+                match self.model.coordinates.len() {
+                    0 | 1 => self.model.normal_frequencies.push(name),
+                    _ => self.model.modes.push(name),
+                }
                 Ok(true)
             }
             "rotation matrix" | "angular velocity" | "body axes" | "space axes" => Err(self

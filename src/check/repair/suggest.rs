@@ -22,7 +22,7 @@ use crate::code::Code;
 use crate::formula::{Expr, Node, Statement};
 use crate::latex::slips::{Edit, Pool, Slip};
 use crate::latex::{Reading, slips};
-use crate::notes::claims::Claim;
+use crate::notes::claims::{Claim, Equilibrium};
 use crate::source::{Fault, Span};
 
 use crate::check::certificate::formulas;
@@ -97,6 +97,15 @@ impl Checker<'_> {
         let display = &self.notes.equations[at];
         let wrong = self.failed_display(at, &equation, claim);
         // If its hypotheses need a name of an unreadable display, no text can be checked.
+        // No other display is suspected of a position of rest, and each trial of it samples states of its own.
+        // Whether it is stable, no edit decides.
+        if let Some(claimed) = &claim.equilibrium {
+            if claimed.value != Equilibrium::Any {
+                return Ok(equation);
+            }
+            equation.repairs = self.own_repairs(at, &equation, claim, Search::Nearest)?;
+            return Ok(equation);
+        }
         let is_judged = self.hypotheses(claim).is_ok() && self.local(claim).is_ok();
         if is_wrong(&equation) && is_judged {
             let contradicted = self.contradicts_definitions(at)?;
@@ -152,6 +161,8 @@ impl Checker<'_> {
 /// How far suggestions are sought.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Search {
+    /// Edits with parts of the display.
+    Nearest,
     /// Edits with parts of the document.
     Likely,
     /// Also with quantities of the prose, and with fitted terms.
@@ -205,7 +216,11 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, sear
     let mut vacuous: Vec<Suggestion> = Vec::new();
     // Parentheses around what is printed often do so too; they come after a likelier edit of a later pool.
     let mut pairs: Vec<Suggestion> = Vec::new();
-    let far = if search == Search::Thorough { pools.len() } else { LIKELY };
+    let far = match search {
+        Search::Nearest => 1,
+        Search::Likely => LIKELY,
+        Search::Thorough => pools.len(),
+    };
     for (at, pool) in pools.iter().take(far).enumerate() {
         // Fitted terms come after parts of the document, and before parts that only resemble them.
         if at == LAST {

@@ -311,7 +311,9 @@ fn links<'r>(
         let link =
             |at: usize| checker.link(&statement.members[at], statement.relations[at].0, &statement.members[at + 1]);
         let is_solution = |at: usize, link: &Link| {
-            checker.solution(link, at, claim).is_some() || solution::is_an_orbit(link, checker.model)
+            at == 0 && checker.is_mode(link)
+                || checker.solution(link, at, claim).is_some()
+                || solution::is_an_orbit(link, checker.model)
         };
         let checked = (0..count).filter(|at| wanted(statement.relations[*at].0) && !defines(*at));
         let checked = checked.filter(|at| !solves(*at) && !drops(*at));
@@ -347,5 +349,9 @@ fn refuted(link: &Link, screen: &Ensemble<'_>, deduction: bool) -> bool {
 
 /// Whether the equalities and inequalities of a claim's equation must hold at each state.
 fn is_screened(claim: &Claim) -> bool {
-    claim.exactly_when.is_empty() && claim.continuum_limit_of.is_none() && claim.skip.is_none()
+    claim.exactly_when.is_empty()
+        && claim.secular_for.is_none()
+        && claim.equilibrium.is_none()
+        && claim.continuum_limit_of.is_none()
+        && claim.skip.is_none()
 }

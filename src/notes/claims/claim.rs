@@ -48,6 +48,14 @@ pub struct Claim {
     pub exactly_when: Vec<Vec<Spanned<String>>>,
     /// `same motion as`: another Lagrangian.
     pub same_motion_as: Option<Spanned<String>>,
+    /// `symmetry`: the change of each coordinate under the symmetry whose charge is printed.
+    pub symmetry: Vec<(Spanned<String>, Spanned<String>)>,
+    /// `equilibrium`: the printed positions are equilibria.
+    pub equilibrium: Option<Spanned<Equilibrium>>,
+    /// `at`: where the coordinates are in this equilibrium.
+    pub at: Vec<(Spanned<String>, Spanned<String>)>,
+    /// `secular equation for`: the frequency of which the equation is the secular equation.
+    pub secular_for: Option<Spanned<String>>,
     /// `units`: the place of `off`.
     pub units_off: Option<Span>,
 }
@@ -95,6 +103,17 @@ pub enum Solved {
 pub enum Generates {
     /// `the motion`: Hamilton's equations from the printed Hamiltonian give the motion.
     TheMotion,
+}
+
+/// What is claimed of an equilibrium.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Equilibrium {
+    /// `true`: the system stays at rest there.
+    Any,
+    /// `stable`: it is a stable one.
+    Stable,
+    /// `unstable`: it is an unstable one.
+    Unstable,
 }
 
 /// A correction: "for … read …".
@@ -157,6 +176,10 @@ pub(super) const KEYS: &[&str] = &[
     "continuum limit of",
     "true exactly when",
     "same motion as",
+    "symmetry",
+    "equilibrium",
+    "at",
+    "secular equation for",
     "units",
 ];
 
@@ -174,7 +197,6 @@ pub(super) const LATER: &[&str] = &[
     "up to a total time derivative",
     "equivalent to",
     "minimum of",
-    "at",
 ];
 
 /// The highest order of an expansion.
@@ -219,6 +241,10 @@ pub(super) fn shared(fields: &Fields<'_>, source: &Source) -> Result<Claim, Faul
         continuum_limit_of: fields.text("continuum limit of")?.map(|of| Address::parse(&of, source)).transpose()?,
         exactly_when: exactly_when(fields)?,
         same_motion_as: fields.text("same motion as")?,
+        symmetry: fields.declared("symmetry", source)?,
+        equilibrium: equilibrium(fields)?,
+        at: fields.declared("at", source)?,
+        secular_for: fields.text("secular equation for")?,
         units_off: units.map(|off| fields::word(&off, "units", &[("off", ())])).transpose()?.map(|off| off.span),
     })
 }
@@ -271,6 +297,24 @@ fn conserved(fields: &Fields<'_>) -> Result<Option<Spanned<Conserved>>, Fault> {
         }
         Some(json) if !matches!(json.value, Value::Bool(_)) => Err(fields::wrong(json, "conserved", "true or LaTeX")),
         _ => Ok(fields.on("conserved")?.map(|span| Spanned::new(Conserved::This, span))),
+    }
+}
+
+fn equilibrium(fields: &Fields<'_>) -> Result<Option<Spanned<Equilibrium>>, Fault> {
+    if let (Some((at, _)), None) = (fields.entry("at"), fields.entry("equilibrium")) {
+        return Err(Fault::claims(at.span, "\"at\" needs \"equilibrium\" beside it")
+            .help("\"at\" says where the coordinates are in an equilibrium"));
+    }
+    match fields.get("equilibrium") {
+        Some(json @ Json { value: Value::String(_), .. }) => {
+            let text = fields::text(json, "equilibrium")?;
+            let words = [("stable", Equilibrium::Stable), ("unstable", Equilibrium::Unstable)];
+            Ok(Some(fields::word(&text, "equilibrium", &words)?))
+        }
+        Some(json) if !matches!(json.value, Value::Bool(_)) => {
+            Err(fields::wrong(json, "equilibrium", "true, \"stable\" or \"unstable\""))
+        }
+        _ => Ok(fields.on("equilibrium")?.map(|span| Spanned::new(Equilibrium::Any, span))),
     }
 }
 

@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub use super::json::Spanned;
-pub use claim::{Claim, Conserved, Erratum, Expect, Expected, Holds, Solved, Solves};
+pub use claim::{Claim, Conserved, Equilibrium, Erratum, Expect, Expected, Holds, Solved, Solves};
 pub use continua::{Continuum, SolidKind};
 pub use range::{Count, Range};
 pub use rubric::Rubric;

@@ -92,9 +92,21 @@ fn of_claim(key: &str) -> Value {
     match key {
         "holds" => json!({ "enum": ["always", "on shell"] }),
         "assume" | "throughout" | "small" | "for" => texts(),
-        "where" => named(),
-        "expect" | "because" | "skip" | "solves" | "limit" | "dropping" | "generates" | "for each"
-        | "continuum limit of" | "same motion as" | "also equals" | "units" => text(),
+        "where" | "symmetry" | "at" => named(),
+        "equilibrium" => json!({ "enum": [true, "stable", "unstable"] }),
+        "expect"
+        | "because"
+        | "skip"
+        | "solves"
+        | "limit"
+        | "dropping"
+        | "generates"
+        | "for each"
+        | "continuum limit of"
+        | "same motion as"
+        | "secular equation for"
+        | "also equals"
+        | "units" => text(),
         "order" => json!({ "type": "integer", "minimum": 1 }),
         _ => json!({}),
     }

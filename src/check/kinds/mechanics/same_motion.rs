@@ -7,13 +7,12 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::derivative::{self, Scope};
-use crate::formula::tree::{Sign, Term, Variable};
-use crate::formula::{Expr, Node, Relation, SymbolId, Value, text};
+use crate::formula::tree::{Sign, Term};
+use crate::formula::{Expr, Node, SymbolId, Value, text};
 use crate::source::Span;
 
+use super::expressions::{equal, euler_lagrange, partial, rate};
 use crate::check::judge::{difference, identity};
-use crate::check::model::claim::Link;
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::{Context, Options};
 use crate::check::state::sampled_state::SampledState;
@@ -73,30 +72,6 @@ fn coordinates(context: &Context<'_>) -> Vec<SymbolId> {
         false => model.coordinates.iter().map(|coordinate| coordinate.symbol).collect(),
         true => model.symbols.canonical.iter().map(|(q, _)| *q).collect(),
     }
-}
-
-fn partial(of: &Expr, q: SymbolId, dots: u8, context: &Context<'_>) -> Option<Expr> {
-    let by = Variable { id: q, indices: Vec::new(), dots };
-    let scope = Scope { symbols: &context.model.symbols, fixed: &[] };
-    derivative::partial(of, &by, scope, of.span).ok()
-}
-
-fn rate(of: Expr) -> Expr {
-    let span = of.span;
-    Expr::new(Node::TimeDerivative(1, Box::new(of)), span)
-}
-
-/// d/dt ∂L/∂q̇ − ∂L/∂q.
-fn euler_lagrange(of: &Expr, q: SymbolId, context: &Context<'_>) -> Option<Expr> {
-    let (momentum, force) = (partial(of, q, 1, context)?, partial(of, q, 0, context)?);
-    Some(match momentum.is_zero() {
-        true => force.negated(),
-        false => rate(momentum).minus(force),
-    })
-}
-
-fn equal(lhs: &Expr, rhs: &Expr) -> Link {
-    Link { lhs: lhs.clone(), relation: Relation::Equal, rhs: rhs.clone(), free: Vec::new() }
 }
 
 /// The worst finding on several equalities. The right sides are steps of their own, so that equal formulas can be compared.

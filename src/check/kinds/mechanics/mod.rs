@@ -1,0 +1,9 @@
+//! Claims about a Lagrangian or a Hamiltonian of the notes: the same motion, the charge of a symmetry, equilibria, normal
+//! frequencies.
+
+pub(crate) mod charge;
+pub(crate) mod equilibrium;
+mod expressions;
+pub(crate) mod generates;
+pub(crate) mod modes;
+pub(crate) mod same_motion;
