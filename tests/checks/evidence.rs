@@ -150,7 +150,7 @@ fn a_counterexample_is_one() {
 
 /// Whether the message names a change with which the equation holds, or else an edit of the text is suggested.
 fn is_told_once(found: &Equation) -> bool {
-    found.finding.message.contains("it would hold with “") != !found.repairs.is_empty()
+    found.finding.message.contains("it would hold with “") == found.repairs.is_empty()
 }
 
 #[test]

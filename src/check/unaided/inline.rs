@@ -9,7 +9,7 @@ use crate::latex::Macros;
 use crate::notes::{Display, Notes};
 use crate::source::Span;
 
-use crate::check::unaided::names::{Usage, names_of};
+use crate::check::unaided::guess::names::{Usage, names_of};
 
 /// Words that announce a definition.
 const ANNOUNCE: [&str; 14] = [

@@ -1,6 +1,6 @@
 //! The check of notes that have no claims file.
 //!
-//! The claims file is inferred ([`inference`]), and the notes are checked with it like any others. Then each finding is
+//! The claims file is inferred (`guess`), and the notes are checked with it like any others. Then each finding is
 //! weighed ([`gate`]): what holds follows, what gives a name a formula introduces it, and a relation that does not follow
 //! is taken for granted. It is called wrong only if one likely slip lies between it and an equation that is certified.
 //! A free assumption is not one edit away from a theorem, so notes that state laws of nature are not called wrong.
@@ -16,25 +16,17 @@
 
 mod course;
 mod dimensions;
-#[cfg(feature = "cli")]
-mod draft;
 mod gate;
-#[cfg(feature = "cli")]
-mod inference;
+pub(super) mod guess;
 mod inline;
 mod laws;
 mod links;
-pub(super) mod names;
 mod premises;
 mod prose;
 mod scope;
-#[cfg(feature = "cli")]
-mod scopes;
 mod screen;
 mod signs;
 mod solutions;
-#[cfg(feature = "cli")]
-mod values;
 
 use std::collections::{HashMap, HashSet};
 
@@ -55,7 +47,9 @@ use crate::notes::{Claims, Display, Notes, Numbered};
 use crate::source::Span;
 
 #[cfg(feature = "cli")]
-pub use draft::draft;
+pub use guess::draft::draft;
+#[cfg(feature = "cli")]
+use guess::{inference, scopes};
 
 /// Checks notes without a claims file.
 ///

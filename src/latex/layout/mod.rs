@@ -19,6 +19,7 @@ mod delimiters;
 mod item;
 mod parser;
 mod print;
+mod scripts;
 #[cfg(test)]
 mod tests;
 #[cfg(feature = "notes")]

@@ -37,11 +37,11 @@ pub fn layout(tokens: &[Token], length: usize) -> Vec<Item> {
     units::settled(items)
 }
 
-fn fault(span: Span, message: impl Into<String>) -> Item {
+pub(super) fn fault(span: Span, message: impl Into<String>) -> Item {
     of_fault(Fault::new(span, message))
 }
 
-fn of_fault(fault: Fault) -> Item {
+pub(super) fn of_fault(fault: Fault) -> Item {
     let span = fault.span;
     Item { layout: Layout::Fault(fault), span }
 }
@@ -52,8 +52,8 @@ fn too_deep(span: Span, what: &str) -> Item {
     of_fault(Fault::new(span, message).code(Code::TooLarge).help("split the formula into several equations"))
 }
 
-struct Parser<'a> {
-    tokens: &'a [Token],
+pub(super) struct Parser<'a> {
+    pub(super) tokens: &'a [Token],
     at: usize,
     depth: usize,
     length: usize,
@@ -62,11 +62,11 @@ struct Parser<'a> {
 }
 
 impl<'a> Parser<'a> {
-    fn peek(&self) -> Option<&'a Token> {
+    pub(super) fn peek(&self) -> Option<&'a Token> {
         self.tokens.get(self.at)
     }
 
-    fn next(&mut self) -> Option<&'a Token> {
+    pub(super) fn next(&mut self) -> Option<&'a Token> {
         let token = self.peek();
         self.at += usize::from(token.is_some());
         token
@@ -76,7 +76,7 @@ impl<'a> Parser<'a> {
         self.peek().map_or(Span::at(self.length), |token| Span::at(token.span.start))
     }
 
-    fn previous_end(&self) -> usize {
+    pub(super) fn previous_end(&self) -> usize {
         self.at.checked_sub(1).map_or(0, |at| self.tokens[at].span.end)
     }
 
@@ -130,93 +130,8 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Gives the last item the primes that follow.
-    fn attach_primes(&mut self, items: &mut Vec<Item>) {
-        let Some(last) = items.pop() else { return };
-        let (mut marks, mut span) = (0u8, last.span);
-        while let Some(token) = self.peek().filter(|token| token.kind == TokenKind::Prime) {
-            span = span.to(token.span);
-            marks = marks.saturating_add(1);
-            self.next();
-        }
-        let layout = match last.layout {
-            Layout::Scripts { nucleus, sub, sup, primes } => {
-                Layout::Scripts { nucleus, sub, sup, primes: primes.saturating_add(marks) }
-            }
-            other => Layout::Scripts {
-                nucleus: Box::new(Item { layout: other, span: last.span }),
-                sub: None,
-                sup: None,
-                primes: marks,
-            },
-        };
-        items.push(Item { layout, span });
-    }
-
-    /// An item with the scripts that follow it.
-    fn scripted(&mut self, single_digit: bool) -> Item {
-        let nucleus = match self.peek() {
-            Some(token) if matches!(token.kind, TokenKind::Sub | TokenKind::Super | TokenKind::Prime) => {
-                // The reader says what is missing.
-                Item { layout: Layout::Group(Vec::new()), span: Span::at(token.span.start) }
-            }
-            _ => self.item(single_digit),
-        };
-        let (mut sub, mut sup, mut primes) = (None, None, 0u8);
-        let mut problem = None;
-        while let Some(token) = self.peek() {
-            let slot = match token.kind {
-                TokenKind::Prime => {
-                    self.next();
-                    primes = primes.saturating_add(1);
-                    continue;
-                }
-                TokenKind::Sub => &mut sub,
-                TokenKind::Super => &mut sup,
-                _ => break,
-            };
-            if slot.is_some() && problem.is_none() {
-                problem = Some(fault(token.span, "this base has two subscripts or two superscripts; add braces"));
-            }
-            self.next();
-            let sign = self.peek().filter(|next| matches!(next.kind, TokenKind::Other('+' | '-')));
-            *slot = Some(Box::new(match sign {
-                // `v^+`: a mark above, unless more touches it, as in `x^-1`, where braces are forgotten.
-                Some(sign) if token.kind == TokenKind::Super => {
-                    self.next();
-                    let touches = self.peek().is_some_and(|next| {
-                        next.span.start == sign.span.end
-                            && matches!(next.kind, TokenKind::Digit(_) | TokenKind::Letter(_) | TokenKind::Command(_))
-                    });
-                    match (touches, &sign.kind) {
-                        (false, TokenKind::Other(c)) => Item { layout: Layout::Other(*c), span: sign.span },
-                        _ => of_fault(
-                            Fault::ambiguous(sign.span, "only the sign stands above here")
-                                .help("put what stands above in braces, as in x^{-1}"),
-                        ),
-                    }
-                }
-                // `\Omega_+`: a sign as a subscript
-                Some(sign) if token.kind == TokenKind::Sub => {
-                    self.next();
-                    let TokenKind::Other(c) = sign.kind else { continue };
-                    Item { layout: Layout::Other(c), span: sign.span }
-                }
-                _ => self.argument(token.span),
-            }));
-        }
-        if let Some(problem) = problem {
-            return problem;
-        }
-        if sub.is_none() && sup.is_none() && primes == 0 {
-            return nucleus;
-        }
-        let span = nucleus.span.to(Span::at(self.previous_end()));
-        Item { layout: Layout::Scripts { nucleus: Box::new(nucleus), sub, sup, primes }, span }
-    }
-
     /// The argument of a command or a script: a group, or one item.
-    fn argument(&mut self, command: Span) -> Item {
+    pub(super) fn argument(&mut self, command: Span) -> Item {
         if self.depth >= DEEPEST {
             self.at = self.tokens.len();
             return too_deep(command, "commands");
@@ -247,7 +162,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn item(&mut self, single_digit: bool) -> Item {
+    pub(super) fn item(&mut self, single_digit: bool) -> Item {
         let Some(token) = self.next() else {
             return fault(self.end(), "a formula is missing here");
         };

@@ -162,7 +162,7 @@ impl Finder<'_> {
         let (n, m) = (self.slice(over.0).to_owned(), self.slice(under.0).to_owned());
         let mut others: Vec<(&str, &str, Slip)> = Vec::new();
         // Numerator and denominator that are numbers are exchanged as a whole.
-        if !n.is_empty() && !m.is_empty() && n != m && !(over.1 && under.1) {
+        if !(n.is_empty() || m.is_empty() || n == m || over.1 && under.1) {
             others.push((&m, &n, Slip::Fraction));
         }
         let is_one = |number: &str| if number.is_empty() { "1".to_owned() } else { number.to_owned() };

@@ -110,8 +110,11 @@ fn unsupported(context: &Context<'_>) -> Finding {
     context.finding(Code::NotSupported, Verdict::Undecided, message)
 }
 
+/// A matrix of formulas, by rows.
+type Rows = Vec<Vec<Expr>>;
+
 /// K and M.
-fn matrices(context: &Context<'_>) -> Option<(Vec<Vec<Expr>>, Vec<Vec<Expr>>)> {
+fn matrices(context: &Context<'_>) -> Option<(Rows, Rows)> {
     let lagrangian = lagrangian(context)?;
     let coordinates: Vec<SymbolId> = context.model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
     if coordinates.len() > MOST {

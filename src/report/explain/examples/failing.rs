@@ -1,6 +1,6 @@
 //! Examples of claims that are false.
 
-use super::Example;
+use super::example::Example;
 
 pub(super) const FAILING: &[Example] = &[
     Example {

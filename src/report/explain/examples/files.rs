@@ -1,6 +1,6 @@
 //! Examples of what the notes, the claims file or the command line say wrong, and of what a claims file leaves out.
 
-use super::Example;
+use super::example::Example;
 
 pub(super) const FILES: &[Example] = &[
     Example {

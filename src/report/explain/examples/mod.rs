@@ -3,6 +3,7 @@
 //! The files are printed in full, so that a reader can copy and change them. A test in `tests/cli/explain.rs` copies them
 //! from the output and runs the command.
 
+mod example;
 mod failing;
 mod files;
 mod passing;
@@ -10,18 +11,10 @@ mod reading;
 mod undecided;
 mod verdicts;
 
+pub(super) use example::Example;
+
 use crate::report::style::Style;
 use crate::report::wrap;
-
-/// Files for which a command reports a verdict or a code.
-pub(super) struct Example {
-    /// The word of the verdict, of the outcome or of the code.
-    pub word: &'static str,
-    /// The command, in the folder of the files.
-    pub command: &'static str,
-    /// The name and the text of each file; there is none where the example is that a file is not there.
-    pub files: &'static [(&'static str, &'static str)],
-}
 
 impl Example {
     /// All examples.

@@ -1,6 +1,6 @@
 //! Examples of claims that hold, and of definitions.
 
-use super::Example;
+use super::example::Example;
 
 pub(super) const PASSING: &[Example] = &[
     Example {

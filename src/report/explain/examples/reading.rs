@@ -1,6 +1,6 @@
 //! Examples of formulas that are not read, or have no value.
 
-use super::Example;
+use super::example::Example;
 
 pub(super) const READING: &[Example] = &[
     Example {

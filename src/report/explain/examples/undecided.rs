@@ -1,6 +1,6 @@
 //! Examples of claims that are not decided.
 
-use super::Example;
+use super::example::Example;
 
 pub(super) const UNDECIDED: &[Example] = &[
     Example {

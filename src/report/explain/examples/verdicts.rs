@@ -1,6 +1,6 @@
 //! Examples of verdicts and of outcomes of mutants.
 
-use super::Example;
+use super::example::Example;
 
 pub(super) const VERDICTS: &[Example] = &[
     Example {

@@ -7,7 +7,7 @@ use crate::latex::Macros;
 use crate::notes::Notes;
 
 use crate::check::document::setup::{Run, define_macros};
-use crate::check::unaided::names::{Usage, names_of};
+use crate::check::unaided::guess::names::{Usage, names_of};
 use crate::check::unaided::{inference, with_ids};
 
 /// A claims file that was inferred.

@@ -9,7 +9,7 @@ use std::collections::HashSet;
 use std::ops::Range;
 
 use crate::check::document::setup::{Run, define_macros};
-use crate::check::unaided::names::{Usage, names_of};
+use crate::check::unaided::guess::names::{Usage, names_of};
 use crate::check::unaided::scope::Scope;
 use crate::formula::symbols::Name;
 use crate::latex::Macros;
@@ -45,7 +45,7 @@ struct Named {
 }
 
 /// The names in the displays of notes, and where sections begin.
-pub(super) struct Outline {
+pub(in crate::check::unaided) struct Outline {
     names: Vec<Named>,
     /// The displays with which a section begins, and those with which a chapter begins.
     sections: Vec<usize>,
@@ -149,7 +149,7 @@ fn headings(text: &str) -> Vec<(usize, usize)> {
 }
 
 /// The scope that begins with the `first`-th display, and the notes with its displays only, after those that are carried over.
-pub(super) fn from(run: &Run<'_>, notes: &Notes, first: usize, outline: &Outline) -> (Notes, Scope) {
+pub(in crate::check::unaided) fn from(run: &Run<'_>, notes: &Notes, first: usize, outline: &Outline) -> (Notes, Scope) {
     let end = if run.only.is_some() { notes.equations.len() } else { outline.end(first) };
     let inside = &outline.names[first..end];
     let mut known: HashSet<&Name> = inside.iter().flat_map(|named| &named.introduced).collect();

@@ -21,8 +21,8 @@ use crate::check::document::setup::{Run, define_macros, with_checker};
 use crate::check::document::unreadable::faults;
 use crate::check::model::Model;
 use crate::check::model::meaning::Variable;
-use crate::check::unaided::names::{Usage, names_of};
-use crate::check::unaided::values::{self, Value as OneValue};
+use crate::check::unaided::guess::names::{Usage, names_of};
+use crate::check::unaided::guess::values::{self, Value as OneValue};
 
 /// How often the displays are read again with the names that were missing.
 const ROUNDS: usize = 8;
@@ -37,7 +37,7 @@ const DIRECTIONS: [&str; 20] = [
 ///
 /// # Errors
 /// When not even a claims file without declarations fits the notes.
-pub(super) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
+pub(in crate::check::unaided) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
     let usages = names_of(&notes.equations, &macros);

@@ -1,0 +1,94 @@
+//! Subscripts, superscripts and primes: what they belong to, and the sign above a name that is no power.
+
+use crate::source::{Fault, Span};
+
+use super::super::lexer::TokenKind;
+use super::item::{Item, Layout};
+use super::parser::{Parser, fault, of_fault};
+
+impl Parser<'_> {
+    /// Gives the last item the primes that follow.
+    pub(super) fn attach_primes(&mut self, items: &mut Vec<Item>) {
+        let Some(last) = items.pop() else { return };
+        let (mut marks, mut span) = (0u8, last.span);
+        while let Some(token) = self.peek().filter(|token| token.kind == TokenKind::Prime) {
+            span = span.to(token.span);
+            marks = marks.saturating_add(1);
+            self.next();
+        }
+        let layout = match last.layout {
+            Layout::Scripts { nucleus, sub, sup, primes } => {
+                Layout::Scripts { nucleus, sub, sup, primes: primes.saturating_add(marks) }
+            }
+            other => Layout::Scripts {
+                nucleus: Box::new(Item { layout: other, span: last.span }),
+                sub: None,
+                sup: None,
+                primes: marks,
+            },
+        };
+        items.push(Item { layout, span });
+    }
+
+    /// An item with the scripts that follow it.
+    pub(super) fn scripted(&mut self, single_digit: bool) -> Item {
+        let nucleus = match self.peek() {
+            Some(token) if matches!(token.kind, TokenKind::Sub | TokenKind::Super | TokenKind::Prime) => {
+                // The reader says what is missing.
+                Item { layout: Layout::Group(Vec::new()), span: Span::at(token.span.start) }
+            }
+            _ => self.item(single_digit),
+        };
+        let (mut sub, mut sup, mut primes) = (None, None, 0u8);
+        let mut problem = None;
+        while let Some(token) = self.peek() {
+            let slot = match token.kind {
+                TokenKind::Prime => {
+                    self.next();
+                    primes = primes.saturating_add(1);
+                    continue;
+                }
+                TokenKind::Sub => &mut sub,
+                TokenKind::Super => &mut sup,
+                _ => break,
+            };
+            if slot.is_some() && problem.is_none() {
+                problem = Some(fault(token.span, "this base has two subscripts or two superscripts; add braces"));
+            }
+            self.next();
+            let sign = self.peek().filter(|next| matches!(next.kind, TokenKind::Other('+' | '-')));
+            *slot = Some(Box::new(match sign {
+                // `v^+`: a mark above, unless more touches it, as in `x^-1`, where braces are forgotten.
+                Some(sign) if token.kind == TokenKind::Super => {
+                    self.next();
+                    let touches = self.peek().is_some_and(|next| {
+                        next.span.start == sign.span.end
+                            && matches!(next.kind, TokenKind::Digit(_) | TokenKind::Letter(_) | TokenKind::Command(_))
+                    });
+                    match (touches, &sign.kind) {
+                        (false, TokenKind::Other(c)) => Item { layout: Layout::Other(*c), span: sign.span },
+                        _ => of_fault(
+                            Fault::ambiguous(sign.span, "only the sign stands above here")
+                                .help("put what stands above in braces, as in x^{-1}"),
+                        ),
+                    }
+                }
+                // `\Omega_+`: a sign as a subscript
+                Some(sign) if token.kind == TokenKind::Sub => {
+                    self.next();
+                    let TokenKind::Other(c) = sign.kind else { continue };
+                    Item { layout: Layout::Other(c), span: sign.span }
+                }
+                _ => self.argument(token.span),
+            }));
+        }
+        if let Some(problem) = problem {
+            return problem;
+        }
+        if sub.is_none() && sup.is_none() && primes == 0 {
+            return nucleus;
+        }
+        let span = nucleus.span.to(Span::at(self.previous_end()));
+        Item { layout: Layout::Scripts { nucleus: Box::new(nucleus), sub, sup, primes }, span }
+    }
+}
