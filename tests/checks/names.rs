@@ -300,3 +300,21 @@ fn a_hat_marks_a_direction_and_no_number() {
     assert!(error.contains(r"declare \vec n"), "{error}");
     assert_eq!(check(r"\vec n").unwrap().equations[0].finding.verdict, Verdict::Certified);
 }
+
+#[test]
+fn a_formula_may_stand_for_one_name() {
+    let named = |kind: &str| with(&numbers(), "formulas as names", json!({ "\\langle a^2 \\rangle": kind }));
+    let displays = |claims: &Json, sign: &str| {
+        verdicts(claims, &["p = b + \\langle a^2 \\rangle", &format!("2p = 2b {sign} 2\\langle\\, {{a^2}} \\rangle")])
+    };
+    assert_eq!(displays(&named("constant"), "+"), [Definition, Verified]);
+    assert_eq!(displays(&named("constant"), "-")[1], Refuted);
+    // Another formula is another quantity, and has no value.
+    assert_eq!(verdicts(&named("constant"), &["2\\langle a^3 \\rangle = b"]), [Unreadable]);
+    // A vector cannot be added to a number.
+    assert_eq!(displays(&named("constant vector"), "+")[0], Unreadable);
+    // A sum reaches to the end of its term.
+    let sum = with(&numbers(), "formulas as names", json!({ "\\sum_i a_i": "constant" }));
+    assert_eq!(verdicts(&sum, &["\\sum_i a_i + b = b + \\sum_i a_i"]), [Verified]);
+    assert_eq!(verdicts(&sum, &["\\sum_i a_i b = b \\sum_i a_i"]), [Unreadable]);
+}

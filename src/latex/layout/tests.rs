@@ -34,3 +34,14 @@ fn a_hundred_thousand_braces_are_one_fault() {
     assert_eq!(faults(&"{".repeat(100_000)), 1);
     assert_eq!(faults(&"(".repeat(100_000)), 1);
 }
+
+#[test]
+fn a_prime_after_a_thin_space_belongs_to_what_stands_before_it() {
+    let primes = |text: &str| match &layout(&tokens(text), text.len())[0].layout {
+        Layout::Scripts { primes, .. } => *primes,
+        _ => 0,
+    };
+    assert_eq!((primes("\\vec v\\,'"), primes("\\vec v\\,''"), primes("v_1\\,'")), (1, 2, 1));
+    assert_eq!(primes("\\vec v\\,a'"), 0);
+    assert!(faults("\\,'") > 0);
+}
