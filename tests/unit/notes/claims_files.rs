@@ -169,7 +169,7 @@ fn types() {
         ("\"equations\": { \"6.1\": true }", "an object, not true or false"),
         ("\"sentences\": {}", "a list, not an object"),
         ("\"equations\": { \"6.1\": { \"conserved\": 1 } }", "true or LaTeX"),
-        ("\"equations\": { \"6.1\": { \"conserved\": false } }", "only be true"),
+        ("\"equations\": { \"6.1\": { \"conserved\": false } }", "no value but true"),
         ("\"equations\": { \"6.1\": { \"times\": \"2\" } }", "\"times\" is not supported yet"),
         ("\"equations\": { \"6.1\": { \"assume\": [] } }", "empty list"),
         ("\"equations\": { \"6.1\": { \"skip\": \"\" } }", "empty"),

@@ -320,9 +320,4 @@ $$ \ddot x = \frac km x \tag{3} $$",
             ),
         ],
     },
-    Example {
-        word: "numbers-differ",
-        command: "onshell check notes.md",
-        files: &[("notes.md", r"$$ v = 9.8\,\text{m/s}^2 \times 2.0\,\text{s} = 196\,\text{m/s} $$")],
-    },
 ];
