@@ -264,8 +264,7 @@ fn with_strict_a_claims_file_is_asked_for() {
 
 #[test]
 fn every_display_is_counted_and_what_is_not_read_is_said() {
-    let notes =
-        "$$ (a+b)^2 = a^2 + 2ab + b^2 $$\n\n$$ \\nabla f = 0 $$\n\n$$ F = m a \\tag{7} $$\n\n$$ c = 2 b \\tag{7} $$\n";
+    let notes = "$$ (a+b)^2 = a^2 + 2ab + b^2 $$\n\n$$ a \\otimes f = 0 $$\n\n$$ F = m a \\tag{7} $$\n\n$$ c = 2 b \\tag{7} $$\n";
     let desk = Desk::new("unaided-counted");
     desk.write("notes.md", notes);
     let run = desk.onshell(&["check", "notes.md"]);

@@ -92,7 +92,9 @@ impl Checker<'_> {
     /// In a chain with a 0, a member that is 0 on shell is claimed to be 0, and not to equal the next member.
     pub(crate) fn zeros(&self, statement: &Statement, links: &mut [JudgedLink], context: &Context<'_>) -> Result<()> {
         let Some(zero) = statement.members.iter().find(|member| member.is_null()) else { return Ok(()) };
-        if !statement.relations.iter().all(|(relation, _)| is_equality(*relation)) {
+        // Hypotheses may make both members 0 though they differ otherwise.
+        let is_plain = context.hypotheses.iter().all(|hypothesis| hypothesis.implied);
+        if !is_plain || !statement.relations.iter().all(|(relation, _)| is_equality(*relation)) {
             return Ok(());
         }
         for step in links.iter_mut().filter(|step| step.finding.code == Code::SideAlwaysZero) {

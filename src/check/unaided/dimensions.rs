@@ -31,6 +31,9 @@ const FEWEST: usize = 3;
 /// The highest power that is tried.
 const HIGHEST: u32 = 6;
 
+/// The fewest names in a display that is called wrong.
+const FEWEST_NAMES: usize = 4;
+
 /// A display in conflict with the others.
 struct Conflict {
     at: usize,
@@ -107,6 +110,10 @@ fn symbols_of(statements: &[&Statement]) -> BTreeSet<SymbolId> {
 fn conflict(checker: &Checker<'_>, at: usize, all: &[(usize, Vec<&Statement>)]) -> Option<Conflict> {
     let (symbols, display) = (&checker.model.symbols, &checker.notes.equations[at]);
     let own = &all.iter().find(|(other, _)| *other == at)?.1;
+    // A curve such as y = x² is printed for plain numbers too.
+    if symbols_of(own).len() < FEWEST_NAMES {
+        return None;
+    }
     let mut others = UnitCheck::new(symbols);
     let mut known = BTreeSet::new();
     let mut uses: Vec<SymbolId> = Vec::new();

@@ -98,7 +98,7 @@ const SEED: u64 = 1;
 ///
 /// # Errors
 /// When the folder or a file cannot be written.
-pub(in crate::cli) fn write(folder: &Path, pages: &[page::Page]) -> Result<()> {
+pub(crate) fn write(folder: &Path, pages: &[page::Page]) -> Result<()> {
     let failed = |path: &Path, error: &std::io::Error| {
         Error::new(format!("cannot write {}: {}", path.display(), reason(error)))
             .help("name a folder under --out that can be written")

@@ -13,7 +13,7 @@ use crate::systems::Registry;
 use crate::{Error, Result, suggest};
 
 /// A system to be derived or drawn.
-pub(in crate::cli) struct Subject<'r> {
+pub(crate) struct Subject<'r> {
     /// Its traced Lagrangian.
     pub system: Arc<System>,
     /// The Lagrangian as a Rust function, which knows the parts of the system.

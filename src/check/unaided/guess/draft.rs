@@ -6,9 +6,10 @@ use crate::Result;
 use crate::latex::Macros;
 use crate::notes::Notes;
 
+use super::inference;
 use crate::check::document::setup::{Run, define_macros};
 use crate::check::unaided::guess::names::{Usage, names_of};
-use crate::check::unaided::{inference, with_ids};
+use crate::check::unaided::with_ids;
 
 /// A claims file that was inferred.
 pub struct Draft {

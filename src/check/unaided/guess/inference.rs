@@ -37,7 +37,7 @@ const DIRECTIONS: [&str; 20] = [
 ///
 /// # Errors
 /// When not even a claims file without declarations fits the notes.
-pub(in crate::check::unaided) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
+pub(crate) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
     let usages = names_of(&notes.equations, &macros);

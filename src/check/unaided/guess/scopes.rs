@@ -45,7 +45,7 @@ struct Named {
 }
 
 /// The names in the displays of notes, and where sections begin.
-pub(in crate::check::unaided) struct Outline {
+pub(crate) struct Outline {
     names: Vec<Named>,
     /// The displays with which a section begins, and those with which a chapter begins.
     sections: Vec<usize>,
@@ -149,7 +149,7 @@ fn headings(text: &str) -> Vec<(usize, usize)> {
 }
 
 /// The scope that begins with the `first`-th display, and the notes with its displays only, after those that are carried over.
-pub(in crate::check::unaided) fn from(run: &Run<'_>, notes: &Notes, first: usize, outline: &Outline) -> (Notes, Scope) {
+pub(crate) fn from(run: &Run<'_>, notes: &Notes, first: usize, outline: &Outline) -> (Notes, Scope) {
     let end = if run.only.is_some() { notes.equations.len() } else { outline.end(first) };
     let inside = &outline.names[first..end];
     let mut known: HashSet<&Name> = inside.iter().flat_map(|named| &named.introduced).collect();

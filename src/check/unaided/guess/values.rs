@@ -14,7 +14,7 @@ use crate::notes::Notes;
 use crate::source::{Missing, Span};
 
 /// A formula that stands for one name.
-pub(in crate::check::unaided) struct Value {
+pub(crate) struct Value {
     /// The name that it stands for.
     pub name: String,
     /// Whether it may vary with time.
@@ -31,12 +31,7 @@ impl Value {
 
 /// The formulas that may stand for one name, one for each fault of the readings that is no missing name, and for each
 /// derivative of what no display gives a formula.
-pub(in crate::check::unaided) fn values(
-    readings: &[Reading],
-    notes: &Notes,
-    macros: &Macros,
-    usages: &[Usage],
-) -> Vec<Value> {
+pub(crate) fn values(readings: &[Reading], notes: &Notes, macros: &Macros, usages: &[Usage]) -> Vec<Value> {
     let mut found = Vec::new();
     for (reading, display) in readings.iter().zip(&notes.equations) {
         let Ok(items) = typeset_items(&display.text, macros) else { continue };
@@ -70,11 +65,7 @@ fn is_derivative_of_unknown(run: &[Item], usages: &[Usage]) -> bool {
 }
 
 /// The names of formulas that stand in a display which does not fit the shapes of what stands beside them.
-pub(in crate::check::unaided) fn misshapen(
-    readings: &[Reading],
-    notes: &Notes,
-    macros: &Macros,
-) -> Vec<(usize, String)> {
+pub(crate) fn misshapen(readings: &[Reading], notes: &Notes, macros: &Macros) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     for (at, (reading, display)) in readings.iter().zip(&notes.equations).enumerate() {
         if faults(reading).any(|fault| fault.code == Code::ShapeMismatch)

@@ -1,7 +1,7 @@
 //! The form of an example.
 
 /// Files for which a command reports a verdict or a code.
-pub(in crate::report::explain) struct Example {
+pub(crate) struct Example {
     /// The word of the verdict, of the outcome or of the code.
     pub word: &'static str,
     /// The command, in the folder of the files.
