@@ -305,7 +305,7 @@ fn a_hat_marks_a_direction_and_no_number() {
 fn a_formula_may_stand_for_one_name() {
     let named = |kind: &str| with(&numbers(), "formulas as names", json!({ "\\langle a^2 \\rangle": kind }));
     let displays = |claims: &Json, sign: &str| {
-        verdicts(claims, &["p = b + \\langle a^2 \\rangle", &format!("2p = 2b {sign} 2\\langle\\, {{a^2}} \\rangle")])
+        verdicts(claims, &["p = b + \\langle a^2 \\rangle", &format!("ap = ab {sign} a\\langle\\, {{a^2}} \\rangle")])
     };
     assert_eq!(displays(&named("constant"), "+"), [Definition, Verified]);
     assert_eq!(displays(&named("constant"), "-")[1], Refuted);

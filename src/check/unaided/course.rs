@@ -63,6 +63,7 @@ pub(super) fn judged_again(
         known: Vec::new(),
         seen: HashMap::new(),
         at_first: VecDeque::new(),
+        doubtful: Vec::new(),
         before: known,
     };
     (0..scope.carried).for_each(|at| course.note_symbols(at));
@@ -102,6 +103,8 @@ struct Course<'c, 'a> {
     seen: HashMap<SymbolId, usize>,
     /// The findings on the next displays by themselves, with the places of these.
     at_first: VecDeque<(usize, Result<Equation>)>,
+    /// The names that are defined beside a relation which contradicts an earlier one: the slip may be in the definition.
+    doubtful: Vec<SymbolId>,
     /// The findings that are known already.
     before: &'c (dyn Fn(usize) -> Option<Equation> + Sync),
 }
@@ -142,6 +145,7 @@ impl Course<'_, '_> {
     /// The finding of before; what was taken for granted then is a premise now.
     fn judged_before(&mut self, at: usize, equation: Equation) -> Equation {
         if equation.finding.verdict == Verdict::Assumed {
+            self.note_doubt(at);
             self.take_for_granted(at);
         }
         equation
@@ -204,6 +208,10 @@ impl Course<'_, '_> {
                 return Ok(gate::as_it_counts(found));
             }
         }
+        if self.rests_on_doubt(at) {
+            self.take_for_granted(at);
+            return Ok(gate::as_it_counts(found));
+        }
         if let Some(wrong) = self.slip(at, claim, &[], &words)? {
             return Ok(wrong);
         }
@@ -224,11 +232,29 @@ impl Course<'_, '_> {
                 return Ok(wrong);
             }
         }
+        self.note_doubt(at);
         self.take_for_granted(at);
         Ok(match self.introduced(at) {
             Some(name) => gate::introduces(found, &name),
             None => gate::as_it_counts(found),
         })
+    }
+
+    /// Notes the names that a display defines, if it relates what an earlier relation does and does not follow from it.
+    fn note_doubt(&mut self, at: usize) {
+        let Some(symbols) = self.symbols(at) else { return };
+        let is_same = |premise: &Premise| {
+            premise.symbols.len() == symbols.len() && symbols.iter().all(|id| premise.symbols.contains(id))
+        };
+        if self.known.iter().any(is_same) {
+            self.doubtful.extend(self.checker.readings[at].introduced.iter().map(|new| new.symbol));
+        }
+    }
+
+    /// Whether a display contains a name whose definition may be wrong.
+    fn rests_on_doubt(&self, at: usize) -> bool {
+        let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        members.flat_map(Expr::symbols).any(|(id, _)| self.doubtful.contains(&id))
     }
 
     /// The name that a display gives a formula, if no display before has it.

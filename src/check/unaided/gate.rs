@@ -252,9 +252,10 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     if left_out.trim().is_empty() && is_quotient && symbols_of(&repair.replacement, model).len() > 1 {
         return false;
     }
-    // What solves another equation becomes a solution of this one where a parenthesis unites its terms.
+    // What solves another equation becomes a solution of this one where a parenthesis unites its terms. So does what follows
+    // from other premises.
     let parentheses = |text: &str| text.matches('(').count();
-    if solves && parentheses(&repair.replacement) > parentheses(left_out) {
+    if (solves || basis != Basis::Definitions) && parentheses(&repair.replacement) > parentheses(left_out) {
         return false;
     }
     corrected.replace_range(start..end, &repair.replacement);
