@@ -6,7 +6,9 @@
 use crate::formula::symbols::Name;
 use crate::formula::tree::Sign;
 
-use super::layout::{Delimiter, Item, Layout, layout, values};
+#[cfg(feature = "notes")]
+use super::layout::values;
+use super::layout::{Delimiter, Item, Layout, layout};
 use super::lexer::tokens;
 use super::normalize::normalized;
 use super::overdots;
@@ -27,6 +29,7 @@ pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
     match &item.layout {
         Layout::Letter(c) => Some(plain(c.to_string())),
         Layout::Command(command) if is_letter(command) => Some(plain(command.clone())),
+        #[cfg(feature = "notes")]
         Layout::Value(latex) => Some(plain(latex.clone())),
         Layout::Group(items) => match items.as_slice() {
             [single] => printed(single, branch),
@@ -80,6 +83,7 @@ pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
 }
 
 /// The items of a formula that may stand for one name, such as `\langle E \rangle`; `None` for a name and for anything else.
+#[cfg(feature = "notes")]
 pub(crate) fn value(text: &str) -> Option<Vec<Item>> {
     let items = layout(&normalized(tokens(text)), text.len());
     (parse_name(&items).is_none() && values::is_value(&items)).then_some(items)

@@ -120,6 +120,7 @@ const PREFIXES: [(char, &str, i8); 14] = [
 ];
 
 /// The numbers that base units have where a formula is evaluated, in the order of [`super::BASE`].
+#[cfg(feature = "notes")]
 pub const BASE_VALUES: [&str; 7] =
     ["1.3247179572", "0.7548776662", "1.2207440846", "0.8191725134", "1.1673039783", "0.8566748838", "1.1347241384"];
 

@@ -55,6 +55,7 @@ pub enum Layout {
     /// Units after a number.
     Unit(Units),
     /// A run of items that is declared to be one quantity, as LaTeX.
+    #[cfg(feature = "notes")]
     Value(String),
     /// `\begin{name} … \end{name}`: rows of cells.
     Environment(String, Vec<Vec<Vec<Item>>>),

@@ -18,6 +18,7 @@ mod angles;
 mod delimiters;
 mod item;
 mod parser;
+#[cfg(feature = "notes")]
 mod print;
 mod scripts;
 #[cfg(test)]
@@ -25,9 +26,12 @@ mod tests;
 #[cfg(feature = "notes")]
 mod text;
 mod units;
+#[cfg(feature = "notes")]
 pub(crate) mod values;
 
-pub use item::{Delimiter, Item, Layout, Units};
+#[cfg(feature = "notes")]
+pub use item::Units;
+pub use item::{Delimiter, Item, Layout};
 pub use parser::layout;
 #[cfg(feature = "notes")]
 pub(crate) use print::latex;
