@@ -80,7 +80,7 @@ fn structure(text: &str) -> Structure {
 }
 
 /// The number of bytes of the settings before a document, between lines `---` (YAML) or `+++` (TOML).
-fn front_matter(text: &str) -> usize {
+pub(crate) fn front_matter(text: &str) -> usize {
     let begin = text.len() - text.trim_start_matches('\u{feff}').len();
     let mut lines = text[begin..].split_inclusive('\n');
     let Some(fence) = lines.next().filter(|line| matches!(line.trim_end(), "---" | "+++")) else { return 0 };

@@ -20,7 +20,7 @@ pub mod formats;
 pub(crate) mod json;
 mod kind;
 mod macros;
-mod markdown;
+pub(crate) mod markdown;
 pub(crate) mod normalize;
 pub(crate) mod references;
 mod rows;

@@ -55,7 +55,7 @@ pub(super) fn errata(item: &Equation, display: &Display) -> Option<Correction> {
         text.replace_range(at..at + printed.len(), read);
         let shift = |place: usize| if place >= at { place + read.len() - printed.len() } else { place };
         parts.iter_mut().for_each(|(known, _)| *known = shift(known.start)..shift(known.end));
-        parts.push((range.start..end, Mark::Mend));
+        parts.push((range.start..end, Mark::Correction));
     }
     parts.retain(|(range, _)| !range.is_empty());
     let (printed, read) = match rest.is_empty() {
@@ -72,7 +72,7 @@ pub(super) fn repair(repair: &Repair, display: Option<&Display>, printed: &str) 
         let mut text = display.text.clone();
         text.get(range.clone())?;
         text.replace_range(range.clone(), &repair.replacement);
-        let parts = [(range.start..range.start + repair.replacement.len(), Mark::Mend)];
+        let parts = [(range.start..range.start + repair.replacement.len(), Mark::Correction)];
         Some((text, parts.into_iter().filter(|(range, _)| !range.is_empty()).collect()))
     });
     Correction { printed: printed.to_owned(), read: repair.replacement.clone(), corrected }

@@ -7,6 +7,7 @@ use super::evidence;
 use super::{badge, beside, chips, equation_anchor, graph, prose, tex_prose, tone, typeset};
 use crate::check::{Document, Equation};
 use crate::lecture::Beside;
+use crate::notes::markdown::front_matter;
 use crate::notes::{Display, Kind, MacroDefinition, Notes};
 
 /// The displays of a document and the macros of its author.
@@ -26,11 +27,16 @@ fn kind(document: &Document) -> Kind {
     Kind::of(std::path::Path::new(&document.path)).unwrap_or(Kind::Markdown)
 }
 
-/// The title of a document: its first heading, or else the name of its file.
+/// The title of a document: that in its settings, its first heading, or else the name of its file.
 pub(super) fn title(document: &Document) -> String {
     let text = &document.source.text;
     let heading = match kind(document) {
-        Kind::Markdown => text.lines().find_map(|line| line.strip_prefix("# ")).map(str::to_owned),
+        Kind::Markdown => {
+            let (settings, body) = text.split_at(front_matter(text));
+            let set = settings.lines().find_map(|line| line.strip_prefix("title:"));
+            let set = set.map(|title| title.trim().trim_matches(['"', '\'']));
+            set.or_else(|| body.lines().find_map(|line| line.strip_prefix("# "))).map(str::to_owned)
+        }
         _ => ["\\title{", "\\section{", "\\section*{"].iter().find_map(|command| {
             let (_, rest) = text.split_once(command)?;
             Some(rest.split_once('}')?.0.to_owned())
@@ -45,15 +51,16 @@ pub(super) fn document(document: &Document, prefix: &str, derived: Option<&Besid
     let kind = kind(document);
     let (displays, macros) = displays(document);
     let text = &document.source.text;
-    let mut from = 0;
+    let mut from = if kind == Kind::Markdown { front_matter(text) } else { 0 };
+    // The title in the settings stands above the text, unless the text has its own.
+    let has_heading = kind == Kind::Markdown && text[from..].lines().any(|line| line.starts_with("# "));
     let mut blocks = Vec::new();
     for display in &displays {
         blocks.push(words(text.get(from..display.span.start).unwrap_or_default(), kind, &macros));
         blocks.push(shown((document, derived), display, &displays, &macros, prefix));
-        from = display.span.end;
+        from = display.span.end + label_length(&text[display.span.end..]);
     }
     blocks.push(words(text.get(from..).unwrap_or_default(), kind, &macros));
-    let has_heading = kind == Kind::Markdown && text.lines().any(|line| line.starts_with("# "));
     html! {
         header class="page" {
             p class="path" { (document.path) }
@@ -75,6 +82,13 @@ pub(super) fn document(document: &Document, prefix: &str, derived: Option<&Besid
             details { summary { "What was inferred" } ul { @for line in &document.inferred { li { (line) } } } }
         }
     }
+}
+
+/// The number of bytes of the label that Quarto writes after a display, as ` {#eq-energy}`. It is no prose.
+fn label_length(after: &str) -> usize {
+    let label = after.trim_start_matches(' ');
+    let space = after.len() - label.len();
+    label.strip_prefix("{#").and_then(|rest| rest.find('}')).map_or(0, |end| space + 2 + end + 1)
 }
 
 /// A part of the text between two displays.

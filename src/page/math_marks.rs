@@ -11,24 +11,24 @@ pub(super) enum Mark {
     /// The part that is wrong.
     Fault,
     /// The part that is put in its place.
-    Mend,
+    Correction,
 }
 
 impl Mark {
-    const ALL: [Mark; 2] = [Mark::Fault, Mark::Mend];
+    const ALL: [Mark; 2] = [Mark::Fault, Mark::Correction];
 
     /// The colour that stands for the mark until the MathML is written.
     fn colour(self) -> (&'static str, &'static str) {
         match self {
             Mark::Fault => ("#fe0d5b", "rgb(254 13 91)"),
-            Mark::Mend => ("#0dfe5b", "rgb(13 254 91)"),
+            Mark::Correction => ("#0dfe5b", "rgb(13 254 91)"),
         }
     }
 
     fn class(self) -> &'static str {
         match self {
             Mark::Fault => "fault",
-            Mark::Mend => "mend",
+            Mark::Correction => "correction",
         }
     }
 }
@@ -133,7 +133,7 @@ mod tests {
 
     #[test]
     fn an_exponent_is_marked_and_stays_one() {
-        let shown = put_in("x^2 + y", &[(1..3, Mark::Mend)]);
+        let shown = put_in("x^2 + y", &[(1..3, Mark::Correction)]);
         assert_eq!(shown.as_deref(), Some(r"x^{\color{#0dfe5b}2} + y"));
     }
 

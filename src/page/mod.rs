@@ -208,21 +208,23 @@ fn equation_anchor(prefix: &str, id: &str) -> String {
 /// The colour of a verdict: as it should be, a mistake that is known, or not as it should be.
 fn tone(verdict: Verdict, ok: bool) -> &'static str {
     match (ok, verdict.passes()) {
+        // What is taken for granted is neither right nor wrong.
+        (true, true) if verdict == Verdict::Assumed => "plain",
         (true, true) => "good",
-        (true, false) => "known",
+        (true, false) if matches!(verdict, Verdict::Refuted | Verdict::Domain) => "known",
         (false, _) if matches!(verdict, Verdict::Refuted | Verdict::Domain) || verdict.passes() => "bad",
-        (false, _) => "open",
+        _ => "open",
     }
 }
 
 /// The mark and the word of a verdict, so that colour is never alone.
 fn badge(verdict: Verdict, ok: bool) -> Markup {
     let mark = match (ok, verdict) {
-        (true, Verdict::Refuted) => "!",
+        (true, Verdict::Refuted | Verdict::Domain) => "!",
         (true, Verdict::Assumed) => "·",
-        (true, _) => "✓",
+        (true, _) if verdict.passes() => "✓",
         (false, Verdict::Refuted | Verdict::Domain) => "✗",
-        (false, _) => "?",
+        _ => "?",
     };
     let class = format!("badge {}", tone(verdict, ok));
     // What the claims file expects to be refuted is a mistake of the notes that is known.

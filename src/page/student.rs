@@ -179,6 +179,6 @@ fn corrected(marked: &Marked, line: &Line) -> Option<Correction> {
     let mut text = marked.source.slice(line.span).to_owned();
     let start = slip.span.start - line.span.start;
     text.replace_range(start..slip.span.end - line.span.start, &format!(" {read} "));
-    let new = (!read.is_empty()).then(|| (start + 1..start + 1 + read.len(), super::math_marks::Mark::Mend));
+    let new = (!read.is_empty()).then(|| (start + 1..start + 1 + read.len(), super::math_marks::Mark::Correction));
     Some(Correction { printed, read, corrected: Some((text, new.into_iter().collect())) })
 }

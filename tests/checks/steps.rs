@@ -35,7 +35,7 @@ fn steps(claims: &Json, displays: &[&str]) -> Vec<Step> {
             (None, Verdict::Verified | Verdict::Definition) => Right,
             (None, Verdict::Refuted) if own => Wrong,
             (Some(inherited), Verdict::Refuted) => {
-                // One slip, one finding: here there is nothing to mend, and it is not as expected all the same.
+                // One slip, one finding: here there is nothing to correct, and it is not as expected all the same.
                 assert!(!own && equation.repairs.is_empty() && !equation.ok, "{equation:?}");
                 assert_eq!((&equation.finding.difference, &equation.finding.derived), (&None, &None));
                 From(["1", "2", "3", "4", "5", "6", "7"][inherited.root.parse::<usize>().expect("a number") - 1])

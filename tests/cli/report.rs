@@ -116,7 +116,7 @@ fn a_wrong_equation_is_shown_with_its_correction_and_the_exit_code_is_that_of_ch
         "A counterexample",
         "With this edit",
         "<mark>",
-        "class=\"mend\"",
+        "class=\"correction\"",
     ] {
         assert!(page.contains(words), "no {words} in {page}");
     }
@@ -205,4 +205,42 @@ fn a_tex_document_without_claims_has_its_headings_lists_and_emphasis() {
         assert!(page.contains(words), "no {words} in {page}");
     }
     assert!(!page.contains("documentclass") && !page.contains("\\item"));
+}
+
+#[test]
+fn headings_of_each_format_are_headings_and_what_only_programs_read_is_not_shown() {
+    let desk = Desk::new("headings");
+    let of = [
+        (
+            "a.adoc",
+            "= Springs\n:stem: latexmath\n\n[[law]]\n== The law\n\nA = B here.\n\n[stem]\n++++\nF = k x\n++++\n",
+        ),
+        (
+            "b.rst",
+            ".. _top:\n\n=======\nSprings\n=======\n\nThe law\n-------\n\nA = B here.\n\n.. math::\n\n   F = k x\n",
+        ),
+        ("c.typ", "#set page(\n  width: 3cm,\n)\n= Springs\n== The law\n\nA = B here.\n\n$ F = k x $\n"),
+        ("d.org", "* Springs\n** The law\n\nA = B here.\n\n\\[ F = k x \\]\n"),
+        ("e.qmd", "---\ntitle: \"Springs\"\nstem: x\n---\n\n## The law\n\nA = B here.\n\n$$F = k x$$ {#eq-law}\n"),
+    ];
+    for (name, text) in of {
+        desk.write(name, text);
+        desk.onshell(&["report", name, "--out", "pages"]);
+        let page = desk.read(&format!("pages/{}.html", &name[..1]));
+        assert!(page.contains("<h1>Springs</h1>"), "{name}: {page}");
+        assert!(page.contains("<h2>The law</h2>"), "{name}: {page}");
+        assert!(page.contains("A = B here."), "{name}: {page}");
+        let unwanted = ["stem:", "#set", "width:", "_top", "[law]", "{#eq", "----", "===", "title:"];
+        assert_eq!(unwanted.into_iter().find(|word| page.contains(word)), None, "{name}: {page}");
+    }
+}
+
+#[test]
+fn what_is_not_read_has_no_mark_of_success() {
+    let desk = Desk::new("no-success");
+    desk.write("n.md", "$$ x + = 2 $$\n\n$$ y = z $$\n");
+    desk.onshell(&["report", "n.md", "--out", "pages"]);
+    let page = desk.read("pages/n.html");
+    assert!(page.contains("? </span>unreadable"), "{page}");
+    assert!(!page.contains("✓ </span>unreadable"), "{page}");
 }

@@ -77,7 +77,7 @@ fn a_save_is_answered_and_the_page_changes() {
     desk.write("notes.md", "$$ (a+b)^2 = a^2 + b^2 $$\n");
     watch.line_with("1 wrong");
     assert!(asked(port, "/version?1", &own).ends_with("\r\n2"));
-    assert!(asked(port, "/notes.html", &own).contains("class=\"mend\""));
+    assert!(asked(port, "/notes.html", &own).contains("class=\"correction\""));
     assert!(asked(port, "/style.css", &own).contains("text/css"));
     // Nothing but the pages, and nobody but this computer.
     assert!(asked(port, "/../notes.md", &own).starts_with("HTTP/1.1 404"));

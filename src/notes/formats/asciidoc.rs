@@ -55,11 +55,28 @@ fn view(file: &Arc<Source>, _: &Path) -> Result<View> {
         if !line.is_empty() && !line.starts_with('[') && !line.starts_with('.') {
             label = None;
         }
-        prose(&mut view, text, trimmed(text, lines[at]), stem_is_latex);
+        let own = trimmed(text, lines[at]);
+        match blocks::marked_heading(line, '=') {
+            Some((level, length)) => {
+                let words = Span::new(own.start + length, own.end);
+                blocks::heading(&mut view, Span::new(own.start, words.start), level);
+                prose(&mut view, text, words, stem_is_latex);
+            }
+            None if is_setting(line) => {}
+            None => prose(&mut view, text, own, stem_is_latex),
+        }
         view.written(Span::at(lines[at].end), "\n");
         at += 1;
     }
     alone(view.finish(blocks::as_latex))
+}
+
+/// Whether a line is for the program that shows the document: an attribute, or the style or name of a block.
+fn is_setting(line: &str) -> bool {
+    let is_attribute = line.strip_prefix(':').and_then(|rest| rest.split_once(':')).is_some_and(|(name, _)| {
+        !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_' | '!'))
+    });
+    is_attribute || (line.starts_with('[') && line.ends_with(']'))
 }
 
 /// AsciiMath is not LaTeX, though some of it looks alike. So it must not be read as LaTeX.

@@ -2,6 +2,9 @@
 
 use crate::source::{Builder, Span};
 
+/// The levels of headings in Markdown.
+const LEVELS: usize = 6;
+
 /// The lines of `within`, without their ends.
 pub(super) fn lines(text: &str, within: Span) -> Vec<Span> {
     let mut at = within.start;
@@ -23,6 +26,19 @@ pub(super) fn trimmed(text: &str, line: Span) -> Span {
 /// How deep a line is indented.
 pub(super) fn indent(text: &str, line: Span) -> usize {
     trimmed(text, line).start - line.start
+}
+
+/// A heading of Markdown in the place of `mark`, which another format writes before a heading. Its words follow.
+pub(super) fn heading(view: &mut Builder, mark: Span, level: usize) {
+    view.written(mark, &format!("{} ", "#".repeat(level.clamp(1, LEVELS))));
+}
+
+/// The level of a heading that one `mark` for each level begins, and how long the marks and the space after them are.
+pub(super) fn marked_heading(line: &str, mark: char) -> Option<(usize, usize)> {
+    let words = line.trim_start_matches(mark);
+    let level = line.len() - words.len();
+    let is_heading = (1..=LEVELS).contains(&level) && words.starts_with(' ') && !words.trim().is_empty();
+    is_heading.then(|| (level, line.len() - words.trim_start().len()))
 }
 
 /// A display: its lines between `$$`, and its label. It begins at the first byte of `open`.

@@ -32,9 +32,15 @@ fn view(file: &Arc<Source>, _: &Path) -> Result<View> {
             let colon = words.find(':').map_or(0, |at| at + 1);
             view.copy(trimmed(text, Span::new(own.start + colon, own.end)));
         } else if !(words.starts_with("# ") || words == "#" || words.starts_with(": ") || words.starts_with("#+")) {
-            // `=code=` and `~code~` hold no displays; a grave accent and `<` are plain characters here.
+            // A heading has a star for each level.
             let mut from = own.start;
-            for (at, c) in words.char_indices().filter(|(_, c)| matches!(c, '`')) {
+            if let Some((level, length)) = blocks::marked_heading(words, '*').filter(|_| own.start == line.start) {
+                from += length;
+                blocks::heading(&mut view, Span::new(own.start, from), level);
+            }
+            // `=code=` and `~code~` hold no displays; a grave accent and `<` are plain characters here.
+            let starts = words.char_indices().filter(|(at, c)| *c == '`' && own.start + at >= from);
+            for (at, c) in starts.collect::<Vec<_>>() {
                 view.copy(Span::new(from, own.start + at));
                 view.written(Span::new(own.start + at, own.start + at + c.len_utf8()), " ");
                 from = own.start + at + c.len_utf8();

@@ -21,11 +21,27 @@ fn view(file: &Arc<Source>, _: &Path) -> Result<View> {
 /// Writes the prose and the displays of these lines. `copy` copies mathematics.
 pub(super) fn write(view: &mut Builder, text: &str, lines: &[Span], copy: fn(&mut Builder, Span)) {
     let mut at = 0;
+    // The lines that are drawn under titles, and whether also above them, by the level of the title.
+    let mut styles: Vec<(char, bool)> = Vec::new();
     while let Some(&line) = lines.get(at) {
+        if let Some((title, style, length)) = heading(text, &lines[at..]) {
+            let level = styles.iter().position(|known| *known == style).unwrap_or_else(|| {
+                styles.push(style);
+                styles.len() - 1
+            });
+            blocks::heading(view, Span::at(title.start), level + 1);
+            prose(view, text, title, copy);
+            view.written(Span::at(lines[at + length - 1].end), "\n\n");
+            at += length;
+            continue;
+        }
         at += 1;
         let own = trimmed(text, line);
         let Some(argument) = text[own.range()].strip_prefix(".. math::") else {
-            prose(view, text, own, copy);
+            // A target of links, as `.. _name:`, is no prose.
+            if !text[own.range()].starts_with(".. _") {
+                prose(view, text, own, copy);
+            }
             view.written(Span::at(line.end), "\n");
             if is_before_literal(&text[own.range()]) {
                 let depth = indent(text, line);
@@ -73,6 +89,28 @@ pub(super) fn write(view: &mut Builder, text: &str, lines: &[Span], copy: fn(&mu
             let open = if n == 0 { own } else { group[0] };
             blocks::display(view, open, group, label.filter(|_| n == 0), copy);
         }
+    }
+}
+
+/// A title at the start of these lines: its words, how it is underlined, and the number of its lines.
+fn heading(text: &str, lines: &[Span]) -> Option<(Span, (char, bool), usize)> {
+    let words = |at: usize| lines.get(at).map(|line| text[line.range()].trim_end());
+    let rule = |at: usize| {
+        let line = words(at)?;
+        let first = line.chars().next().filter(char::is_ascii_punctuation)?;
+        (line.len() >= 3 && line.chars().all(|c| c == first)).then_some((first, line.len()))
+    };
+    let is_title = |at: usize, length: usize| {
+        words(at).is_some_and(|words| !words.is_empty() && words.trim_start().chars().count() <= length)
+    };
+    match (rule(0), rule(1), rule(2)) {
+        (Some((mark, length)), None, Some((under, _))) if mark == under && is_title(1, length) => {
+            Some((trimmed(text, lines[1]), (mark, true), 3))
+        }
+        (None, Some((mark, length)), _) if is_title(0, length) && !words(0)?.starts_with(' ') => {
+            Some((trimmed(text, lines[0]), (mark, false), 2))
+        }
+        _ => None,
     }
 }
 

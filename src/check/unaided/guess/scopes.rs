@@ -107,7 +107,7 @@ fn sections(notes: &Notes) -> Vec<(usize, usize)> {
         while let Some((_, display)) = displays.next_if(|(_, display)| display.span.start < heading) {
             is_inside = display.span.end > heading;
         }
-        // A row of a display may begin with an equals sign.
+        // A row of a display may look like the line under a heading.
         if is_inside {
             continue;
         }
@@ -120,17 +120,17 @@ fn sections(notes: &Notes) -> Vec<(usize, usize)> {
     found
 }
 
-/// The places of headings in a text, with their levels: of Markdown, TeX, Typst, AsciiDoc and reStructuredText.
+/// The places of headings in a text, with their levels: of Markdown, as which other formats are read, and of TeX.
 fn headings(text: &str) -> Vec<(usize, usize)> {
     let (mut found, mut start, mut before) = (Vec::new(), 0, "");
     for line in text.split_inclusive('\n') {
         let content = line.trim();
         let is_underline = content.len() >= 3
-            && content.starts_with(['=', '-', '~', '^', '*'])
+            && content.starts_with(['=', '-'])
             && content.bytes().all(|byte| content.starts_with(char::from(byte)))
             && before.len() > 1
             && before.len() <= content.len();
-        let marked = content.trim_start_matches(['#', '=']);
+        let marked = content.trim_start_matches('#');
         let is_marked = marked.len() < content.len() && content.len() - marked.len() <= 6 && marked.starts_with(' ');
         let commands = ["\\part{", "\\chapter{", "\\section{", "\\subsection{", "\\subsubsection{"];
         let plain = content.replace('*', "");

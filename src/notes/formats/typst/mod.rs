@@ -8,7 +8,7 @@ mod symbols;
 use std::path::Path;
 use std::sync::Arc;
 
-use super::{Format, View, alone};
+use super::{Format, View, alone, blocks};
 use crate::Result;
 use crate::notes::kind::Kind;
 use crate::source::{Builder, Fault, Source, Span};
@@ -32,6 +32,7 @@ fn view(file: &Arc<Source>, _: &Path) -> Result<View> {
                 Some(tex_scanner::find(text, at + 2, "*/").map_or(text.len(), |end| end + 2))
             }
             b'`' => Some(raw_end(text, at)),
+            b'#' if begins_line(text, at) => setting_end(text, at),
             _ => None,
         };
         if let Some(end) = hidden {
@@ -41,6 +42,17 @@ fn view(file: &Arc<Source>, _: &Path) -> Result<View> {
             continue;
         }
         match bytes[at] {
+            b'=' if begins_line(text, at) => {
+                let line = &text[at..tex_scanner::line_end(bytes, at)];
+                let Some((level, length)) = blocks::marked_heading(line, '=') else {
+                    at += 1;
+                    continue;
+                };
+                view.prose(Span::new(from, at));
+                from = at + length;
+                blocks::heading(&mut view, Span::new(at, from), level);
+                at = from;
+            }
             b'\\' => at += 2,
             b'$' => {
                 let Some(close) = closing(text, at + 1) else {
@@ -78,6 +90,28 @@ fn view(file: &Arc<Source>, _: &Path) -> Result<View> {
     }
     view.prose(Span::new(from.min(text.len()), text.len()));
     alone(view.finish(as_typst))
+}
+
+/// Whether only white space stands before this place in its line.
+fn begins_line(text: &str, at: usize) -> bool {
+    text[..at].rsplit('\n').next().is_none_or(|before| before.trim().is_empty())
+}
+
+/// The end of a line of code that sets how the document looks, or names something: such lines are no prose.
+fn setting_end(text: &str, from: usize) -> Option<usize> {
+    const WORDS: [&str; 4] = ["#set ", "#show", "#import ", "#let "];
+    WORDS.iter().find(|word| text[from..].starts_with(**word))?;
+    let (mut depth, mut is_string) = (0usize, false);
+    for (at, c) in text[from..].char_indices() {
+        match c {
+            '"' => is_string = !is_string,
+            '(' | '[' | '{' if !is_string => depth += 1,
+            ')' | ']' | '}' if !is_string => depth = depth.saturating_sub(1),
+            '\n' if depth == 0 && !is_string => return Some(from + at),
+            _ => {}
+        }
+    }
+    Some(text.len())
 }
 
 /// The end of the raw text that the grave accents at `at` open.
