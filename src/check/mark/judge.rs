@@ -224,7 +224,8 @@ impl Judge<'_, '_> {
         let all = displays(&|_| true);
         let wrong = displays(&|line| matches!(line.mark, Mark::Wrong | Mark::Carried));
         let sound = displays(&|line| line.mark == Mark::Right || line.verdict == Some(Verdict::Law));
-        let before = Before { all: &all, wrong: &wrong, sound: &sound, laws: &self.world.problem.laws };
+        let laws = &self.world.problem.laws;
+        let before = Before { all: &all, wrong: &wrong, sound: &sound, laws, motion: &self.motion };
         let checker = Checker { readings: &self.premises, units: self.quiet.units.clone(), ..*self.quiet };
         let from = if wrong.is_empty() || !self.details {
             None

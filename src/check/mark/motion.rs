@@ -9,9 +9,13 @@ use crate::latex::Reading;
 use crate::notes::claims::Claim;
 
 use crate::check::document::checker::Checker;
+use crate::check::document::names::shown;
 use crate::check::kinds::printed_solution::{Solution, constants_of_integration};
+use crate::check::kinds::solution_of_laws;
 use crate::check::model::Model;
 use crate::check::model::meaning::Meaning;
+use crate::check::model::sampling::Spread;
+use crate::check::sample::context::Context;
 
 use super::slip;
 use super::status::{Status, status};
@@ -115,8 +119,33 @@ impl Motion {
         })
     }
 
+    /// Whether a false function of the time solves the laws with the false function that a line prints for another coordinate,
+    /// as y = ∫ v dt does with a false v.
+    pub fn is_carried(&self, checker: &Checker<'_>, (from, at): (usize, usize), own: &Reading) -> bool {
+        let function = |reading: &Reading| match reading.statements.as_slice() {
+            [Ok(statement)] => printed(checker, statement),
+            _ => None,
+        };
+        let (Some(other), Some(own)) = (function(&checker.readings[from]), function(own)) else { return false };
+        let topic = format!("{} step", shown(&checker.notes.equations[at]));
+        let context = Context {
+            model: checker.model,
+            options: checker.options,
+            hypotheses: &[],
+            on_shell: None,
+            topic: &topic,
+            span: checker.notes.equations[at].body,
+            spread: Spread::Declared,
+            local: &[],
+        };
+        let solves = || solution_of_laws::by_substitution(&own, &[other.clone()], &context).ok().flatten();
+        own.coordinate != other.coordinate
+            && self.starts_alike(checker, &own)
+            && solves().is_some_and(|found| found.verdict.holds())
+    }
+
     /// Whether a function of the time begins with the value that the model solution has, or nothing says what that is.
-    pub fn starts_alike(&self, checker: &Checker<'_>, own: &Solution) -> bool {
+    fn starts_alike(&self, checker: &Checker<'_>, own: &Solution) -> bool {
         let Some(known) = self.solution(own.coordinate).filter(|known| known.dots == own.dots) else { return true };
         let at_first = |formula: &Expr| {
             let mut formula = expanded(checker, formula.clone());
