@@ -86,9 +86,10 @@ impl New {
     }
 }
 
-/// Whether a name is that of a number by custom, e or i, so that only a display that begins with it defines it.
-fn is_number_by_custom(name: &Name) -> bool {
-    name.subscript.is_empty() && ["e", "i"].contains(&name.base.as_str())
+/// Whether a name has a meaning by custom, as the numbers e and i and the d of a derivative have, so that only a display that
+/// begins with it defines it.
+fn has_a_custom(name: &Name) -> bool {
+    name.subscript.is_empty() && ["e", "i", "d"].contains(&name.base.as_str())
 }
 
 /// Whether an item is the time in parentheses.
@@ -107,8 +108,8 @@ impl Unknown {
         let time = symbols.time.clone();
         let mut name = |item: &Item, squared: bool| {
             let printed = names::printed(item, branch).filter(|printed| printed.dots == 0)?;
-            let reserved = printed.name.subscript.is_empty() && ["d", "\\pi"].contains(&printed.name.base.as_str())
-                || (squared || place != Place::First) && is_number_by_custom(&printed.name)
+            let reserved = printed.name.subscript.is_empty() && printed.name.base == "\\pi"
+                || (squared || place != Place::First) && has_a_custom(&printed.name)
                 || Some(&printed.name) == symbols.time.as_ref();
             let raised = match printed.sup {
                 None => !squared,

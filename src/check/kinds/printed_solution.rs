@@ -102,7 +102,7 @@ fn contains_time(formula: &Expr, model: &Model) -> bool {
 }
 
 /// The constants of a solution that the motion does not depend on: those of integration.
-pub(super) fn constants_of_integration(solution: &Solution, model: &Model) -> Vec<SymbolId> {
+pub(crate) fn constants_of_integration(solution: &Solution, model: &Model) -> Vec<SymbolId> {
     let lagrangian = model.printed_lagrangian.as_ref().map(|printed| &printed.lagrangian);
     let hamiltonian = model.printed_hamiltonian.as_ref().map(|printed| &printed.hamiltonian);
     let lagrangian = lagrangian.or(hamiltonian).and_then(|name| model.symbols.find(name));

@@ -19,6 +19,7 @@ use super::carried::{Before, origin};
 use super::given::{self, Implied};
 use super::judged::Judged;
 use super::marked::{Line, Mark};
+use super::motion::{Along, Motion};
 use super::results;
 use super::rounded::Known;
 use super::slip;
@@ -41,6 +42,8 @@ pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<J
             wanted: results::names(&checker, world.problem),
             quiet: &quiet,
             details,
+            motion: Motion::of(&checker, world),
+            trusted: checker.readings.to_vec(),
             premises: checker.readings.to_vec(),
             conditions: Vec::new(),
             known: Known::default(),
@@ -76,6 +79,9 @@ struct Judge<'j, 'c> {
     quiet: &'j Checker<'c>,
     /// Whether a false line is compared with those before it; without that, numbers alone decide what holds.
     details: bool,
+    motion: Motion,
+    /// The readings without those of lines that are false: what another line is judged by.
+    trusted: Vec<Reading>,
     /// The readings, in which a row of a chain says what it says of the first member.
     premises: Vec<Reading>,
     /// The conditions that were stated, as LaTeX, with the names of their lines.
@@ -128,7 +134,7 @@ impl Judge<'_, '_> {
             (line.mark, line.follows_from) = (Mark::Carried, Some(from));
             line.because = carried(&self.lines, from);
             line.verdict = Some(Verdict::Refuted);
-            self.lines.push(line);
+            self.push(line);
             return Ok(());
         }
         match status {
@@ -153,8 +159,15 @@ impl Judge<'_, '_> {
             }
             Status::False(finding) => self.false_line(at, &reading, &mut line, &finding)?,
         }
-        self.lines.push(line);
+        self.push(line);
         Ok(())
+    }
+
+    fn push(&mut self, line: Line) {
+        if matches!(line.mark, Mark::Wrong | Mark::Carried) {
+            self.trusted[self.world.first + self.lines.len()] = Reading::default();
+        }
+        self.lines.push(line);
     }
 
     fn false_line(&mut self, at: usize, reading: &Reading, line: &mut Line, finding: &Finding) -> Result<()> {
@@ -198,7 +211,9 @@ impl Judge<'_, '_> {
         let holds = |reading: &Reading| matches!(self.status(display, reading).0, Status::Holds(_));
         let equalities = given::up_to_initial_values(self.quiet, of_problem, reading);
         let stays = |rate: &Option<Reading>| rate.as_ref().is_some_and(holds);
-        if !equalities.is_empty() && equalities.iter().all(|(equality, rate)| stays(rate) || holds(equality)) {
+        // Where the initial values are known, they do not make it true.
+        let fails = self.along(self.quiet, display, reading, &Claim::default()) == Along::False;
+        if !fails && !equalities.is_empty() && equalities.iter().all(|(equality, rate)| stays(rate) || holds(equality)) {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = "true up to a constant, which an initial value makes 0".to_owned();
             return Ok(());
@@ -209,7 +224,8 @@ impl Judge<'_, '_> {
         let all = displays(&|_| true);
         let wrong = displays(&|line| matches!(line.mark, Mark::Wrong | Mark::Carried));
         let sound = displays(&|line| line.mark == Mark::Right || line.verdict == Some(Verdict::Law));
-        let before = Before { all: &all, wrong: &wrong, sound: &sound, laws: &self.world.problem.laws };
+        let laws = &self.world.problem.laws;
+        let before = Before { all: &all, wrong: &wrong, sound: &sound, laws, motion: &self.motion };
         let checker = Checker { readings: &self.premises, units: self.quiet.units.clone(), ..*self.quiet };
         let from = if wrong.is_empty() || !self.details {
             None
@@ -283,22 +299,37 @@ impl Judge<'_, '_> {
         Ok(slip::found(self.run, self.checker, self.world, at)?.0.is_some())
     }
 
-    /// What a reading is in the problem, by itself, under the hypotheses of the problem's equations, or under conditions
-    /// that were stated; and what it needs.
+    /// What a reading is in the problem, by itself, along its motion, under the hypotheses of its equations, or under
+    /// conditions that were stated; and what it needs.
     fn status(&self, display: usize, reading: &Reading) -> (Status, String) {
+        let checker = Checker { readings: &self.trusted, units: self.quiet.units.clone(), ..*self.quiet };
+        let none = Claim::default();
+        let refuted = || Box::new(Finding::new(Code::SidesDiffer, Verdict::Refuted, Span::default(), ""));
         let own = match !self.details && stated(reading).is_none() {
-            true if slip::fits(self.quiet, reading) => Status::Holds(Verdict::Verified),
-            true => Status::False(Box::new(Finding::new(Code::SidesDiffer, Verdict::Refuted, Span::default(), ""))),
-            false => status(self.quiet, display, reading, &Claim::default()),
+            true if slip::fits(&checker, reading) => Status::Holds(Verdict::Verified),
+            true => Status::False(refuted()),
+            false => status(&checker, display, reading, &none),
         };
+        if matches!(own, Status::Holds(_)) && self.motion.is_printed_in(&checker, self.world, reading) {
+            return match self.along(&checker, display, reading, &none) {
+                Along::True => (own, String::new()),
+                Along::False => (Status::False(refuted()), String::new()),
+                Along::Open => (Status::Given(Verdict::Assumed, OTHER_START), String::new()),
+            };
+        }
         if !matches!(own, Status::False(_) | Status::Open(..)) {
             return (own, String::new());
         }
+        if self.along(&checker, display, reading, &none) == Along::True {
+            return (Status::Holds(Verdict::Verified), String::new());
+        }
         for context in &self.world.problem.contexts {
             let loose = (!context.small.is_empty() || context.limit.is_some()).then(|| approximate(reading));
-            let found = status(self.quiet, display, loose.as_ref().unwrap_or(reading), context);
-            if let Status::Holds(_) = found {
-                return (found, "follows from the problem, with its hypotheses".to_owned());
+            let found = status(&checker, display, loose.as_ref().unwrap_or(reading), context);
+            if matches!(found, Status::Holds(_))
+                || self.along(&checker, display, reading, context) == Along::True
+            {
+                return (Status::Holds(Verdict::Verified), "follows from the problem, with its hypotheses".to_owned());
             }
         }
         if let Some((text, name)) = self.conditions.last() {
@@ -309,13 +340,17 @@ impl Judge<'_, '_> {
             let last = (all.len() > 1).then(|| vec![spanned(text)]);
             for assume in [Some(all), last].into_iter().flatten() {
                 let claim = Claim { assume, ..Claim::default() };
-                let found = status(self.quiet, display, reading, &claim);
+                let found = status(&checker, display, reading, &claim);
                 if let Status::Holds(_) = found {
                     return (found, format!("follows under the condition of {name}"));
                 }
             }
         }
         (own, String::new())
+    }
+
+    fn along(&self, checker: &Checker<'_>, display: usize, reading: &Reading, claim: &Claim) -> Along {
+        self.motion.along((checker, self.world), (display, reading), (claim, !self.details))
     }
 
     /// Whether a reading is right to the printed digits, with the numbers that the student gave to the quantities.
@@ -328,6 +363,9 @@ impl Judge<'_, '_> {
         known.fits(self.quiet, text, reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
     }
 }
+
+/// What is said of a function of the time that solves the laws and is not that of the model solution.
+const OTHER_START: &str = "solves the equations of motion, but for other initial values than the model solution";
 
 fn carried(lines: &[Line], from: usize) -> String {
     let mut root = from;

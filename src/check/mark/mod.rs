@@ -22,6 +22,7 @@ mod judge;
 mod judged;
 mod letters;
 mod marked;
+mod motion;
 mod names;
 mod problem;
 mod results;

@@ -40,6 +40,8 @@ pub struct Problem {
     pub(super) wanted: Vec<Wanted>,
     /// The hypotheses under which the equations of the problem hold, each set once.
     pub(super) contexts: Vec<Claim>,
+    /// The verdict on each display.
+    pub(super) verdicts: Vec<Verdict>,
     /// The displays that print laws.
     pub(super) laws: Vec<usize>,
     /// Its names.
@@ -104,7 +106,7 @@ impl Problem {
         let names = with_checker(run, &claims, notes, |checker| Ok(Names::of(checker.model)))?;
         let laws = (0..verdicts.len()).filter(|at| verdicts[*at] == Verdict::Law).collect();
         let names_results = !rubric.results.is_empty();
-        Ok(Problem { claims, notes: notes.clone(), rubric, names_results, wanted, contexts, laws, names })
+        Ok(Problem { claims, notes: notes.clone(), rubric, names_results, wanted, contexts, verdicts, laws, names })
     }
 
     /// The share of the points for results without steps.

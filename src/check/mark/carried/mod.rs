@@ -1,5 +1,6 @@
 //! Follow-through: the false line before it from which a false line follows.
 
+mod another_value;
 pub(super) mod numbers;
 
 use crate::Result;
@@ -13,6 +14,7 @@ use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Options;
 use crate::check::steps::entailment::{EarlierSteps, Entailment};
 
+use super::motion::Motion;
 use super::status::{Status, status};
 
 /// The number of false lines before it that a line is compared with, the nearest first.
@@ -28,6 +30,8 @@ pub(super) struct Before<'b> {
     pub sound: &'b [usize],
     /// The laws of the problem.
     pub laws: &'b [usize],
+    /// The motion of the problem.
+    pub motion: &'b Motion,
 }
 
 /// The false line from which a false line follows, by its display.
@@ -42,6 +46,13 @@ pub(super) fn origin(
     let pieces = checker.wrong_pieces(at, true)?;
     let pieces: Vec<&Reading> = pieces.iter().collect();
     for from in before.wrong.iter().rev().take(LOOKED_BACK) {
+        if before.motion.is_carried(checker, (*from, at), own) {
+            return Ok(Some(*from));
+        }
+        let of_problem = before.all.first().copied().unwrap_or(*from);
+        if another_value::follows(checker, *from, (at, own), of_problem) {
+            return Ok(Some(*from));
+        }
         if redefines(checker, *from, (at, own)) || shares_a_misreading(checker, *from, (at, own)) {
             return Ok(Some(*from));
         }

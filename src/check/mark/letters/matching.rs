@@ -151,7 +151,7 @@ fn in_some_order<T: Copy>(a: &[T], b: &[T], pairs: &mut Pairs, is_same: &impl Fn
 const LONGEST: usize = 6;
 
 /// A formula with nothing inside it.
-fn head(formula: &Expr) -> Node {
+pub(in crate::check::mark) fn head(formula: &Expr) -> Node {
     let mut head = formula.clone();
     head.children_mut().into_iter().for_each(|child| *child = Expr::integer(0, Span::default()));
     head.node

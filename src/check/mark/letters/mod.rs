@@ -7,6 +7,8 @@
 
 mod matching;
 
+pub(super) use matching::head;
+
 use std::collections::HashMap;
 
 use crate::Result;

@@ -1,0 +1,189 @@
+//! The motion of the problem: the coordinates as functions of the time, as the model solution prints them.
+//!
+//! Laws leave initial values open, and the model solution has put them in. So a line may be true that no law implies, as a
+//! first integral of a motion that starts from rest is. It is put to the test with the printed functions in the place of
+//! the coordinates. For the same reason a function of the time that solves the laws may be false: for other initial values.
+
+use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
+use crate::latex::Reading;
+use crate::notes::claims::Claim;
+
+use crate::check::document::checker::Checker;
+use crate::check::document::names::shown;
+use crate::check::kinds::printed_solution::{Solution, constants_of_integration};
+use crate::check::kinds::solution_of_laws;
+use crate::check::model::Model;
+use crate::check::model::meaning::Meaning;
+use crate::check::model::sampling::Spread;
+use crate::check::sample::context::Context;
+
+use super::slip;
+use super::status::{Status, status};
+use super::world::World;
+
+/// The printed functions of the time.
+pub(super) struct Motion {
+    solutions: Vec<Solution>,
+    /// Those of the coordinates that have initial values left to choose.
+    chosen: Vec<SymbolId>,
+    /// The model in which they define the coordinates, and no law is needed.
+    model: Model,
+}
+
+/// What a line is along the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Along {
+    /// It holds.
+    True,
+    /// It fails, and nothing in it is free but the constants of the problem.
+    False,
+    /// It fails, or cannot be put to the test; for other initial values it may hold.
+    Open,
+}
+
+impl Motion {
+    /// The motion that the displays of the problem print, as far as they were checked and hold.
+    pub fn of(checker: &Checker<'_>, world: &World<'_>) -> Motion {
+        let mut solutions: Vec<Solution> = Vec::new();
+        for (reading, verdict) in checker.readings.iter().zip(&world.problem.verdicts) {
+            let printed = reading.statements.iter().flatten().filter_map(|statement| printed(checker, statement));
+            for found in printed.filter(|found| verdict.holds() && found.dots == 0) {
+                if solutions.iter().all(|known| known.coordinate != found.coordinate) {
+                    solutions.push(found);
+                }
+            }
+        }
+        let mut model = checker.without_system(false).model;
+        for known in &solutions {
+            model.redefine(known.coordinate, known.formula.clone());
+        }
+        let is_circular = |known: &Solution| model.depends_on(&known.formula, &[known.coordinate]);
+        if solutions.iter().any(is_circular) {
+            solutions.clear();
+        }
+        let is_chosen = |known: &&Solution| !constants_of_integration(known, checker.model).is_empty();
+        let chosen = solutions.iter().filter(is_chosen).map(|known| known.coordinate).collect();
+        Motion { solutions, chosen, model }
+    }
+
+    /// Whether a line prints a function of the time for a coordinate of the motion, in nothing but constants of the problem.
+    pub fn is_printed_in(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> bool {
+        let mut found = reading.statements.iter().flatten().filter_map(|statement| printed(checker, statement));
+        found.any(|own| self.solution(own.coordinate).is_some() && self.leaves_nothing_open(world, &own.formula))
+    }
+
+    /// The model solution for a coordinate.
+    fn solution(&self, coordinate: SymbolId) -> Option<&Solution> {
+        self.solutions.iter().find(|known| known.coordinate == coordinate)
+    }
+
+    /// What a line is along the motion, under the hypotheses of a claim; `is_quick` for a few numbers alone.
+    pub fn along(
+        &self,
+        (checker, world): (&Checker<'_>, &World<'_>),
+        (display, reading): (usize, &Reading),
+        (claim, is_quick): (&Claim, bool),
+    ) -> Along {
+        let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        let moves: Vec<SymbolId> = self.solutions.iter().map(|known| known.coordinate).collect();
+        if moves.is_empty() || !members().any(|member| checker.model.depends_on(member, &moves)) {
+            return Along::Open;
+        }
+        let there = Checker { model: &self.model, units: checker.units.clone(), ..*checker };
+        let holds = match is_quick {
+            true => slip::fits(&there, reading),
+            false => match status(&there, display, reading, claim) {
+                Status::Holds(_) | Status::Given(..) => true,
+                Status::False(_) => false,
+                Status::Open(..) | Status::Unread(_) => return Along::Open,
+            },
+        };
+        match holds {
+            true => Along::True,
+            false if members().all(|member| self.leaves_nothing_open(world, member))
+                && !members().any(|member| checker.model.depends_on(member, &self.chosen)) => Along::False,
+            false => Along::Open,
+        }
+    }
+
+    /// Whether the motion and the constants of the problem give a formula its value.
+    fn leaves_nothing_open(&self, world: &World<'_>, formula: &Expr) -> bool {
+        formula.symbols().iter().all(|(id, _)| {
+            let name = &self.model.symbols.entry(*id).name;
+            match self.model.meaning(*id) {
+                Some(Meaning::Time) => true,
+                Some(Meaning::Constant(_)) => world.problem.names.names.iter().any(|(known, ..)| known == name),
+                Some(Meaning::Defined(formula)) => self.leaves_nothing_open(world, formula),
+                _ => false,
+            }
+        })
+    }
+
+    /// Whether a false function of the time solves the laws with the false function that a line prints for another coordinate,
+    /// as y = ∫ v dt does with a false v.
+    pub fn is_carried(&self, checker: &Checker<'_>, (from, at): (usize, usize), own: &Reading) -> bool {
+        let function = |reading: &Reading| match reading.statements.as_slice() {
+            [Ok(statement)] => printed(checker, statement),
+            _ => None,
+        };
+        let (Some(other), Some(own)) = (function(&checker.readings[from]), function(own)) else { return false };
+        let topic = format!("{} step", shown(&checker.notes.equations[at]));
+        let context = Context {
+            model: checker.model,
+            options: checker.options,
+            hypotheses: &[],
+            on_shell: None,
+            topic: &topic,
+            span: checker.notes.equations[at].body,
+            spread: Spread::Declared,
+            local: &[],
+        };
+        let solves = || solution_of_laws::by_substitution(&own, &[other.clone()], &context).ok().flatten();
+        own.coordinate != other.coordinate
+            && self.starts_alike(checker, &own)
+            && solves().is_some_and(|found| found.verdict.holds())
+    }
+
+    /// Whether a function of the time begins with the value that the model solution has, or nothing says what that is.
+    fn starts_alike(&self, checker: &Checker<'_>, own: &Solution) -> bool {
+        let Some(known) = self.solution(own.coordinate).filter(|known| known.dots == own.dots) else { return true };
+        let at_first = |formula: &Expr| {
+            let mut formula = expanded(checker, formula.clone());
+            formula.substitute(&|node| match node {
+                Node::Symbol { id, .. } if matches!(checker.model.meaning(*id), Some(Meaning::Time)) => {
+                    Some(Expr::integer(0, own.formula.span))
+                }
+                _ => None,
+            });
+            formula
+        };
+        let link = checker.link(&at_first(&own.formula), Relation::Equal, &at_first(&known.formula));
+        link.is_ok_and(|link| super::carried::numbers::holds(checker, &self.model, &link, &[]) == Some(true))
+    }
+}
+
+/// The function of the time that a statement prints for a coordinate or its rate.
+pub(super) fn printed(checker: &Checker<'_>, statement: &Statement) -> Option<Solution> {
+    let ([first, second, ..], [(relation, _), ..]) = (statement.members.as_slice(), statement.relations.as_slice())
+    else {
+        return None;
+    };
+    Solution::of_link(&checker.link(first, *relation, second).ok()?, checker.model)
+}
+
+/// The most definitions that stand within one another.
+const DEEPEST: usize = 8;
+
+/// A formula with the definitions written out that contain the time.
+fn expanded(checker: &Checker<'_>, mut formula: Expr) -> Expr {
+    for _ in 0..DEEPEST {
+        formula.substitute(&|node| match node {
+            Node::Symbol { id, dots: 0, .. } => match checker.model.meaning(*id) {
+                Some(Meaning::Defined(value)) => Some((**value).clone()),
+                _ => None,
+            },
+            _ => None,
+        });
+    }
+    formula
+}
