@@ -39,6 +39,8 @@ mod names;
 mod other_branches;
 #[path = "checks/own_system.rs"]
 mod own_system;
+#[path = "checks/preconditions.rs"]
+mod preconditions;
 #[path = "checks/rates.rs"]
 mod rates;
 #[path = "checks/repairs.rs"]

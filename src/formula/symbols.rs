@@ -36,6 +36,8 @@ pub struct Entry {
     pub derivatives: Vec<SymbolId>,
     /// The formula that defines it, or its square.
     pub definition: Option<Arc<Expr>>,
+    /// Whether it stands for a formula that is not read, such as ⟨E⟩. What that depends on is not known.
+    pub unread: bool,
     /// Whether it is defined by a formula in which nothing varies.
     pub steady: bool,
     /// Whether its value follows from the coordinates and velocities by no formula that is known here.
@@ -179,6 +181,14 @@ pub struct Symbols {
 }
 
 impl Symbols {
+    /// A name in a formula, or in the formulas of its names, that stands for a formula which is not read.
+    pub fn unread_in(&self, formula: &Expr) -> Option<SymbolId> {
+        formula.symbols().into_iter().find_map(|(id, _)| {
+            let entry = self.entry(id);
+            if entry.unread { Some(id) } else { entry.definition.as_ref().and_then(|inner| self.unread_in(inner)) }
+        })
+    }
+
     /// An empty table that rejects unknown names. The independent variable is `t`.
     pub fn new() -> Self {
         Symbols { time: Some(Name::plain("t")), ..Symbols::default() }
@@ -265,6 +275,7 @@ impl Symbols {
             slots,
             angle: false,
             varies: false,
+            unread: false,
             argument: None,
             squared: false,
             arguments: Vec::new(),

@@ -356,3 +356,41 @@ fn a_lagrangian_is_known_by_the_squares_of_its_rates() {
     // An angular momentum is no Lagrangian.
     assert_eq!(last("no-squares", &[r"L = \mu r^2 \dot\varphi", radial]), "assumed");
 }
+
+/// Laws, the words after them, and a display of another case, which is true. Each would be one edit from what the laws say.
+const OTHER_CASES: [(&[&str], &str, &str); 7] = [
+    (&[r"L = \frac12 m l^2\dot\theta^2 + m g l\cos\theta"], "Linearizing, we get", r"\ddot\theta = -\frac{g}{l}\theta"),
+    (
+        &[r"L = \frac12 m l^2\dot\theta^2 + m g l\cos\theta"],
+        "For the inverted pendulum, with $\\theta$ measured from the upward vertical, one finds",
+        r"\ddot\theta = \frac{g}{l}\sin\theta",
+    ),
+    (&[r"L = \frac12 m\dot y^2 - m g y"], "With $y$ pointing downward we obtain", r"m\ddot y = m g"),
+    (&[r"L = \frac12 m\dot y^2 - m g y"], "Everything changes sign if\nthe axis points down:", r"m\ddot y = m g"),
+    (&[r"L = \frac12 m\dot x^2 - \frac12 k x^2"], "For a repulsive spring this becomes", r"m\ddot x = k x"),
+    (&[r"a = \frac{v^2}{r}", r"v = \omega r"], "Hence the acceleration, which points inward, is", r"a = -\omega^2 r"),
+    (
+        &[r"v = v_0 + a t", r"x = v_0 t + \frac12 a t^2"],
+        "For a decelerating car this becomes\n\n$$ v = v_0 - a t $$\n\nso the distance follows:",
+        r"x = v_0 t - \frac12 a t^2",
+    ),
+];
+
+#[test]
+fn another_case_is_not_called_wrong() {
+    for (at, (laws, words, display)) in OTHER_CASES.iter().enumerate() {
+        let text = format!("{}\n{words}\n\n$$ {display} $$\n", page(laws));
+        let (equations, code) = report(&format!("case-{at}"), "notes.md", &text);
+        let wrong: Vec<_> = equations.iter().filter(|equation| equation["verdict"] == "refuted").collect();
+        assert!(wrong.is_empty() && code == 0, "{display}: {wrong:?}");
+    }
+}
+
+/// The same words hide no identity that is wrong in every case.
+#[test]
+fn an_identity_is_wrong_in_every_case() {
+    let text = "Two waves that run in opposite directions add up to\n\n\
+        $$ A\\sin(kx - \\omega t) + A\\sin(kx + \\omega t) = 2A\\sin kx\\sin\\omega t $$\n";
+    let (equations, code) = report("every-case", "notes.md", text);
+    assert_eq!((equations[0]["verdict"].as_str(), code), (Some("refuted"), 1));
+}

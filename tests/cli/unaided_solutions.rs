@@ -56,6 +56,22 @@ fn a_slip_in_a_solution_is_called_wrong_if_one_edit_corrects_it() {
     }
 }
 
+/// A value that is put in for a symbol does not say what its rates are.
+#[test]
+fn an_equation_with_rates_alone_is_not_solved_by_any_formula() {
+    for (at, [law, printed]) in [
+        [r"m \ddot x = -b \dot x", r"x = x_0 + v_0 t"],
+        [r"m \ddot x = -b \dot x", r"x = \frac{m v_0}{b}\left(1 + e^{b t/m}\right)"],
+        [r"\ddot y + k y\dot y = 0", r"y = B\cos\omega t"],
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let (verdict, _) = last(&format!("rates-{at}"), &[law, printed]);
+        assert!(verdict != "certified" && verdict != "verified", "{printed}: {verdict}");
+    }
+}
+
 #[test]
 fn what_solves_another_equation_is_not_called_wrong() {
     for (at, page) in [

@@ -35,7 +35,14 @@ pub(crate) fn define(model: &mut Model) -> Result<()> {
         let found = at_rest(model, lagrangian, [(*only, a), (*only, b)], &coordinates);
         found.ok_or_else(|| unsupported("the Lagrangian has no second derivatives as formulas"))
     };
-    let square = node(Node::Quotient(Box::new(second(0, 0)?.negated()), Box::new(second(1, 1)?)));
+    let (stiffness, mass) = (second(0, 0)?, second(1, 1)?);
+    let time = model.symbols.time.as_ref().and_then(|name| model.symbols.find(name)).map(|(id, _)| id);
+    if time.is_some_and(|time| [&stiffness, &mass].iter().any(|part| model.depends_on(part, &[time]))) {
+        return Err(
+            unsupported("the Lagrangian depends on the time").help("claim only what does not need a normal frequency")
+        );
+    }
+    let square = node(Node::Quotient(Box::new(stiffness.negated()), Box::new(mass)));
     let formula = node(Node::Root(2, Box::new(square)));
     for omega in model.normal_frequencies.clone() {
         let id = match model.symbols.find(&omega) {

@@ -5,13 +5,15 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, SymbolId, Value};
+use crate::formula::{Expr, Node, SymbolId, Value};
 use crate::scalar::{RunningError, Series};
 
 use crate::check::certificate::solutions::certify_solutions;
 use crate::check::judge::mutants::mutants_of;
 use crate::check::kinds::shapes::root_isolation::count_roots_on_grid;
+use crate::check::model::Model;
 use crate::check::model::claim::Link;
+use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
 use crate::check::sample::sampler::contains;
 use crate::check::sample::setting::FEWEST;
@@ -64,6 +66,14 @@ fn judged(
             Verdict::Undecided,
             format!("{name} does not occur in the equation to be solved; correct the name"),
         ));
+    }
+    let is_rated = [&target.lhs, &target.rhs].into_iter().any(|side| contains_rate(side, unknown, context.model));
+    if is_rated {
+        let name = context.model.name(unknown);
+        let message = format!(
+            "the equation contains a rate of {name}, so a value of {name} does not solve it; put the equation under \"laws\""
+        );
+        return Ok(context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message));
     }
     let mut formulas = vec![&target.lhs, &target.rhs];
     formulas.extend(branches);
@@ -240,6 +250,26 @@ fn count_roots(target: &Link, unknown: SymbolId, state: &mut SampledState<'_, Ru
 }
 
 /// Whether a symbol occurs in a formula.
+/// Whether a formula contains a rate of a symbol, also in the formulas of its names.
+pub(crate) fn contains_rate(formula: &Expr, id: SymbolId, model: &Model) -> bool {
+    let mut found = false;
+    formula.walk(&mut |part| {
+        found = found
+            || match &part.node {
+                Node::TimeDerivative(_, of) => model.depends_on(of, &[id]),
+                Node::Symbol { id: name, dots, .. } if *dots > 0 => {
+                    *name == id || matches!(model.meaning(*name), Some(Meaning::Defined(inner)) if model.depends_on(inner, &[id]))
+                }
+                Node::Symbol { id: name, .. } if *name != id => {
+                    matches!(model.meaning(*name), Some(Meaning::Defined(inner)) if contains_rate(inner, id, model))
+                }
+                _ => false,
+            };
+    });
+    found
+}
+
+/// Whether a formula contains a symbol.
 pub fn mentions(expr: &Expr, id: SymbolId) -> bool {
     expr.symbols().iter().any(|(known, _)| *known == id)
 }

@@ -213,7 +213,8 @@ impl Judge<'_, '_> {
         let stays = |rate: &Option<Reading>| rate.as_ref().is_some_and(holds);
         // Where the initial values are known, they do not make it true.
         let fails = self.along(self.quiet, display, reading, &Claim::default()) == Along::False;
-        if !fails && !equalities.is_empty() && equalities.iter().all(|(equality, rate)| stays(rate) || holds(equality)) {
+        if !fails && !equalities.is_empty() && equalities.iter().all(|(equality, rate)| stays(rate) || holds(equality))
+        {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = "true up to a constant, which an initial value makes 0".to_owned();
             return Ok(());
@@ -326,9 +327,7 @@ impl Judge<'_, '_> {
         for context in &self.world.problem.contexts {
             let loose = (!context.small.is_empty() || context.limit.is_some()).then(|| approximate(reading));
             let found = status(&checker, display, loose.as_ref().unwrap_or(reading), context);
-            if matches!(found, Status::Holds(_))
-                || self.along(&checker, display, reading, context) == Along::True
-            {
+            if matches!(found, Status::Holds(_)) || self.along(&checker, display, reading, context) == Along::True {
                 return (Status::Holds(Verdict::Verified), "follows from the problem, with its hypotheses".to_owned());
             }
         }

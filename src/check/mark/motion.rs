@@ -100,8 +100,12 @@ impl Motion {
         };
         match holds {
             true => Along::True,
-            false if members().all(|member| self.leaves_nothing_open(world, member))
-                && !members().any(|member| checker.model.depends_on(member, &self.chosen)) => Along::False,
+            false
+                if members().all(|member| self.leaves_nothing_open(world, member))
+                    && !members().any(|member| checker.model.depends_on(member, &self.chosen)) =>
+            {
+                Along::False
+            }
             false => Along::Open,
         }
     }
@@ -138,7 +142,7 @@ impl Motion {
             spread: Spread::Declared,
             local: &[],
         };
-        let solves = || solution_of_laws::by_substitution(&own, &[other.clone()], &context).ok().flatten();
+        let solves = || solution_of_laws::by_substitution(&own, std::slice::from_ref(&other), &context).ok().flatten();
         own.coordinate != other.coordinate
             && self.starts_alike(checker, &own)
             && solves().is_some_and(|found| found.verdict.holds())

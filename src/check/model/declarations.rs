@@ -178,7 +178,8 @@ impl Builder<'_> {
         let variables = if moves { &mut self.model.varying } else { &mut self.model.constants };
         let at = variables.len();
         variables.push(Variable { symbol: id, range: Range::Any, numbers: kind.numbers() });
-        self.model.symbols.entry_mut(id).varies = moves;
+        let entry = self.model.symbols.entry_mut(id);
+        (entry.varies, entry.unread) = (moves, true);
         self.model.mean(id, if moves { Meaning::Varying(at) } else { Meaning::Constant(at) });
         self.model.macros.values.add(&items);
         Ok(())

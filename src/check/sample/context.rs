@@ -69,6 +69,11 @@ pub struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
+    /// The same without the search for an explanation: for what is asked on the way to a finding.
+    pub fn quick(&self) -> Context<'a> {
+        Context { options: Options { explain: false, ..self.options }, ..*self }
+    }
+
     /// The mode on shell or off shell, with enough derivatives for these formulas and one more dot.
     pub fn mode(&self, on_shell: bool, formulas: &[&Expr]) -> Mode {
         let of_hypotheses = self.hypotheses.iter().flat_map(|c| [&c.lhs, &c.rhs]);

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use crate::Result;
 use crate::check::document::checker::Checker;
 use crate::check::document::setup::Run;
+use crate::check::model::meaning::Meaning;
 use crate::check::repair::suggest::Search;
 use crate::check::sample::context::Options;
 use crate::check::unaided::gate::{self, Basis};
@@ -64,6 +65,7 @@ pub(super) fn judged_again(
         seen: HashMap::new(),
         at_first: VecDeque::new(),
         doubtful: Vec::new(),
+        other_case: false,
         before: known,
     };
     (0..scope.carried).for_each(|at| course.note_symbols(at));
@@ -105,6 +107,8 @@ struct Course<'c, 'a> {
     at_first: VecDeque<(usize, Result<Equation>)>,
     /// The names that are defined beside a relation which contradicts an earlier one: the slip may be in the definition.
     doubtful: Vec<SymbolId>,
+    /// Whether a display began another case: it gives a name another formula, and the words before it say so.
+    other_case: bool,
     /// The findings that are known already.
     before: &'c (dyn Fn(usize) -> Option<Equation> + Sync),
 }
@@ -246,6 +250,12 @@ impl Course<'_, '_> {
         let is_same = |premise: &Premise| {
             premise.symbols.len() == symbols.len() && symbols.iter().all(|id| premise.symbols.contains(id))
         };
+        // Another formula for a name that has one: another case. It holds for what comes after it.
+        if let Some(id) = self.named_again(at) {
+            self.doubtful.push(id);
+            let words = prose::before(self.checker.notes, at);
+            self.other_case = self.other_case || words.other_case || words.announced == Announced::Assumption;
+        }
         if self.known.iter().any(is_same) {
             self.doubtful.extend(self.checker.readings[at].introduced.iter().map(|new| new.symbol));
         }
@@ -254,7 +264,17 @@ impl Course<'_, '_> {
     /// Whether a display contains a name whose definition may be wrong.
     fn rests_on_doubt(&self, at: usize) -> bool {
         let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
-        members.flat_map(Expr::symbols).any(|(id, _)| self.doubtful.contains(&id))
+        let uses_it = members.flat_map(Expr::symbols).any(|(id, _)| self.doubtful.contains(&id));
+        uses_it || self.other_case && self.named_again(at).is_some()
+    }
+
+    /// The name to which a display gives a formula, if another one defines it.
+    fn named_again(&self, at: usize) -> Option<SymbolId> {
+        let [Ok(statement)] = self.checker.readings[at].statements.as_slice() else { return None };
+        let id = statement.members.first().and_then(Expr::as_plain_symbol)?;
+        let is_own = self.checker.readings[at].introduced.iter().any(|new| new.symbol == id);
+        let is_defined = matches!(self.checker.model.meaning(id), Some(Meaning::Defined(_)));
+        (is_defined && !is_own && self.seen.contains_key(&id)).then_some(id)
     }
 
     /// The name that a display gives a formula, if no display before has it.
@@ -268,6 +288,24 @@ impl Course<'_, '_> {
     fn equation(&self, checker: &Checker<'_>, at: usize, claim: &Claim) -> Result<Equation> {
         let found = checker.equation(at, Some(claim)).or_else(|error| checker.equation_left_open(at, error))?;
         Ok(checker.without_unreadable_laws(found, None))
+    }
+
+    /// Whether the sides of a display contain the same names and nothing that the notes define or that moves. Then it holds, or
+    /// does not, in every case.
+    fn is_by_itself(&self, at: usize) -> bool {
+        let model = self.checker.model;
+        let names = |member: &Expr| {
+            let mut names: Vec<(SymbolId, u8)> = member.symbols();
+            names.sort_unstable_by_key(|(id, _)| id.0);
+            names
+        };
+        let is_free = |(id, dots): &(SymbolId, u8)| {
+            *dots == 0 && matches!(model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Varying(_)) | None)
+        };
+        self.checker.readings[at].statements.iter().flatten().all(|statement| {
+            let all: Vec<_> = statement.members.iter().map(names).collect();
+            all.windows(2).all(|pair| pair[0] == pair[1]) && all.iter().flatten().all(is_free)
+        })
     }
 
     /// Whether a display prints a solution of an equation of motion.
@@ -359,6 +397,7 @@ impl Course<'_, '_> {
         let solves = set.is_empty() && (self.prints_a_solution(at, claim) || words.connected && self.restates(at));
         if !solves && !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words)
             || words.announced == Announced::Assumption
+            || words.other_case && !self.is_by_itself(at)
         {
             return Ok(None);
         }

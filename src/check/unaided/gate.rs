@@ -243,6 +243,14 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     if repair.replacement.trim().is_empty() && left_out.contains(|c: char| c.is_ascii_alphabetic()) {
         return false;
     }
+    // sin θ that comes in the place of θ: the display is linearised, and means small angles.
+    let linear = ["\\sin", "\\tan", "\\sinh", "\\tanh"]
+        .iter()
+        .fold(repair.replacement.clone(), |text, name| text.replace(name, ""));
+    let letters = |text: &str| text.chars().filter(|c| c.is_alphanumeric() || *c == '\\').collect::<String>();
+    if linear != repair.replacement && letters(&linear) == letters(left_out) {
+        return false;
+    }
     // Authors write one voltage as v_C and as V_C.
     if left_out.contains('_') && left_out.eq_ignore_ascii_case(&repair.replacement) {
         return false;

@@ -55,7 +55,7 @@ const CONSEQUENCE: [&str; 35] = [
 ];
 
 /// Words that announce what is assumed, chosen or only nearly true.
-const ASSUMPTION: [&str; 34] = [
+const ASSUMPTION: [&str; 38] = [
     "assum",
     "suppos",
     "if ",
@@ -90,6 +90,28 @@ const ASSUMPTION: [&str; 34] = [
     "not ",
     "mistake",
     "require",
+    "linear",
+    "first order",
+    "lowest order",
+    "leading order",
+];
+
+/// Words of another case, which differs by a sign, an axis or a factor.
+const OTHER_CASE: [&str; 14] = [
+    "invert",
+    "repuls",
+    "attract",
+    "opposite",
+    "downward",
+    "upward",
+    "inward",
+    "outward",
+    "backward",
+    "replac",
+    "decelerat",
+    "slows down",
+    "on the moon",
+    "reverse",
 ];
 
 /// Words that announce the solutions of what was said before.
@@ -111,6 +133,8 @@ pub(super) enum Announced {
 pub(super) struct Words {
     /// What they announce.
     pub announced: Announced,
+    /// Whether they speak of another case, as a charge of the opposite sign.
+    pub other_case: bool,
     /// The displays that they name, by their places, the first first.
     pub named: Vec<usize>,
     /// Whether the display is connected with what comes before it: a consequence, its solutions, or no words at all. After other
@@ -127,13 +151,20 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
     let text = &notes.source.text;
     let all = without_comments(&text[range(notes, at)]);
     let all = all.as_str();
-    let sentence = last_sentence(all).to_lowercase();
+    // Authors break lines anywhere.
+    let words: Vec<String> = last_sentence(all).split_whitespace().map(str::to_lowercase).collect();
+    let sentence = words.join(" ") + " ";
     let says = |words: &[&str]| words.iter().any(|word| has_word(&sentence, word));
     // "and" goes on as before.
     if at > 0 && further > 0 && sentence.chars().filter(|c| c.is_alphabetic()).count() <= GOES_ON {
         let before = looking_back(notes, at - 1, further - 1);
         let named = cited(notes, at, all).into_iter().chain(before.named).collect();
-        return Words { announced: before.announced, named, connected: before.announced != Announced::Assumption };
+        return Words {
+            announced: before.announced,
+            named,
+            connected: before.announced != Announced::Assumption,
+            other_case: before.other_case,
+        };
     }
     let announced = match (says(&ASSUMPTION), says(&CONSEQUENCE)) {
         (true, _) => Announced::Assumption,
@@ -141,7 +172,7 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
         (false, false) => Announced::Nothing,
     };
     let connected = announced == Announced::Consequence || announced == Announced::Nothing && says(&SOLUTION);
-    Words { announced, named: cited(notes, at, all), connected }
+    Words { announced, other_case: says(&OTHER_CASE), named: cited(notes, at, all), connected }
 }
 
 /// The displays that the words before the `at`-th display cite.

@@ -4,6 +4,7 @@
 //! Each printed branch, substituted for the symbol, must satisfy the relation. Notes may give one of several solutions, so it
 //! is not asked whether there are others.
 
+use crate::check::kinds::solves::contains_rate;
 use crate::check::model::Model;
 use crate::check::model::meaning::Meaning;
 use crate::check::unaided::premises::Premise;
@@ -38,7 +39,9 @@ pub(super) fn solved<'p>(
 ) -> Vec<Solution<'p>> {
     let Some(unknown) = unknown(&readings[at], model) else { return Vec::new() };
     let name = model.name(unknown);
-    let about = known.iter().rev().filter(|premise| premise.symbols.contains(&unknown));
+    let is_about =
+        |premise: &&Premise| premise.symbols.contains(&unknown) && !has_rate(&readings[premise.at], unknown, model);
+    let about = known.iter().rev().filter(is_about);
     about
         .take(MOST)
         .map(|of| {
@@ -50,6 +53,12 @@ pub(super) fn solved<'p>(
             Solution { of, claim: Claim { solves, ..Claim::default() }, same_symbols }
         })
         .collect()
+}
+
+/// Whether a display contains a rate of a symbol. A value that is put in for the symbol alone says nothing of it.
+fn has_rate(reading: &Reading, id: SymbolId, model: &Model) -> bool {
+    let members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+    members.into_iter().any(|member| contains_rate(member, id, model))
 }
 
 /// Whether a display gives a formula for a symbol.

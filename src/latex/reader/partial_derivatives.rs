@@ -331,6 +331,9 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(item.span, "a letter may depend on this variable or not")
                 .help("say in a claims file what the letters are"));
         }
+        if let Some(unread) = self.symbols.unread_in(formula).filter(|id| *id != by.id) {
+            return Err(self.refused(&NoDerivative::Unknown(unread), span));
+        }
         // The momentum of another coordinate stays fixed in dV/dr, as in an effective potential.
         let stays = |other: &Variable| {
             if let Some(q) = coordinate(other) {

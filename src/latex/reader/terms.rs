@@ -248,6 +248,13 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(span, "a number after a symbol may be a subscript, a power or a factor")
                 .help("write x_2, x^2 or 2x"));
         }
+        if touches && is_uncertainty(before, item) {
+            return Err(Fault::ambiguous(
+                span,
+                "a number in parentheses may be a factor, or how far the last digits are uncertain",
+            )
+            .help("write \\cdot for a product, or leave the uncertainty out"));
+        }
         let is_bar = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::PlainBar, _));
         if is_bar(item) && !is_bar(before) && items[..at].iter().any(is_bar) {
             return Err(
@@ -469,6 +476,16 @@ fn is_fraction(item: &Item) -> bool {
 
 fn is_parenthesis(item: &Item) -> bool {
     matches!(item.layout, Layout::Fence(Delimiter::Round | Delimiter::Square | Delimiter::Curly, _))
+}
+
+/// Whether these are a number with decimals and a whole number in parentheses, as 9.81(2).
+fn is_uncertainty(number: &Item, item: &Item) -> bool {
+    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+    let digits = |item: &Item| match &item.layout {
+        Layout::Number(digits) => Some(digits.contains('.')),
+        _ => None,
+    };
+    digits(number) == Some(true) && matches!(inside.as_slice(), [only] if digits(only) == Some(false))
 }
 
 /// The place of a factor that is the norm of a vector, or a derivative of one.

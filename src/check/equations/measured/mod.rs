@@ -195,7 +195,9 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
         return undecided(context, "these numbers are too large or too small to compare");
     }
     let is_zero = |side: &Quantity| side.value == 0.0;
-    if a.dimension != b.dimension && !is_zero(&a) && !is_zero(&b) {
+    // A zero without a unit may stand for any quantity.
+    let is_bare_zero = |side: &Quantity| is_zero(side) && side.dimension.is_none();
+    if a.dimension != b.dimension && !is_bare_zero(&a) && !is_bare_zero(&b) {
         return of_units([left, right], [a, b], context);
     }
     let printed = [Printed::of(left), Printed::of(right)];
@@ -216,6 +218,16 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
     }
     let share = if is_approximate { ROUGHLY } else { STEPS };
     let slack = printed.iter().flatten().map(Printed::digit).fold(share * size, f64::max);
+    // After ≈ a power of ten alone is an order of magnitude.
+    if is_approximate && [left, right].iter().any(|side| is_order(side)) {
+        let ratio = (a.value / b.value).abs();
+        return match ratio.max(1.0 / ratio) {
+            ratio if ratio <= 10.0_f64.sqrt() => {
+                context.verified("the numbers have the same order of magnitude", "rounded numbers")
+            }
+            _ => undecided(context, "a power of ten may be a rough order of magnitude"),
+        };
+    }
     let is_apart = a.range.low - slack > b.range.high || b.range.low - slack > a.range.high;
     if is_apart && let Some(reason) = by_custom([left, right], [a, b]) {
         return undecided(context, reason);
@@ -240,6 +252,27 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
             context,
             format!("the numbers give {computed}; what is printed agrees only as far as they are rounded"),
         ),
+    }
+}
+
+/// Whether a side is a power of ten alone, perhaps with a unit.
+fn is_order(side: &Expr) -> bool {
+    let parts: Vec<&Expr> = match &side.node {
+        Node::Product(factors) => factors.iter().collect(),
+        _ => vec![side],
+    };
+    let (powers, units): (Vec<&Expr>, Vec<&Expr>) = parts.into_iter().partition(|part| quantity::is_power_of_ten(part));
+    powers.len() == 1
+        && units.iter().all(|part| quantity(part).is_ok_and(|unit| !unit.dimension.is_none()) && !has_number(part))
+}
+
+/// Whether a formula contains a printed number outside of exponents.
+fn has_number(part: &Expr) -> bool {
+    match &part.node {
+        Node::Product(factors) => factors.iter().any(has_number),
+        Node::Quotient(above, below) => has_number(above) || has_number(below),
+        Node::Power(base, _) => has_number(base),
+        _ => part.as_digits().is_some(),
     }
 }
 
@@ -297,7 +330,8 @@ fn in_unit(value: f64, printed: &Printed<'_>, context: &Context<'_>) -> String {
     let (powers, units): (Vec<&Expr>, Vec<&Expr>) =
         printed.rest.iter().copied().partition(|part| quantity::is_power_of_ten(part));
     let power = powers.iter().filter_map(|part| quantity(part).ok()).fold(1.0, |all, part| all * part.value);
-    let mut shown = digits(value / printed.scale * power);
+    // In this order, so that a very large or small power does not lose the value.
+    let mut shown = digits(value / (printed.scale / power));
     for unit in units {
         let is_sign = matches!(&unit.node, Node::Unit(unit) if unit.is_sign());
         let unit = text::formula(unit, &context.model.symbols);
@@ -308,7 +342,10 @@ fn in_unit(value: f64, printed: &Printed<'_>, context: &Context<'_>) -> String {
 
 /// A number with four digits that count.
 fn digits(value: f64) -> String {
-    let places = 3 - value.abs().log10().floor() as i32;
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let places = 3_i32.saturating_sub(value.abs().log10().floor() as i32);
     match places {
         ..-2 | 8.. => format!("{value:.3e}"),
         places => {

@@ -11,11 +11,10 @@ use crate::formula::{Expr, Relation, SymbolId};
 use crate::notes::claims::Equilibrium;
 use crate::source::Span;
 
-use super::expressions::{equal, lagrangian, partial, product, symbol};
+use super::expressions::{depends_on_time, equal, lagrangian, partial, product, symbol};
 use crate::check::judge::identity;
 use crate::check::model::claim::{Hypothesis, Link};
-use crate::check::model::meaning::Meaning;
-use crate::check::sample::context::{Context, Options};
+use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -144,7 +143,7 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
         }
     }
     for link in turning {
-        let is_same = link.lhs == link.rhs || identity::check(&link, &quick(context))?.verdict.holds();
+        let is_same = link.lhs == link.rhs || identity::check(&link, &context.quick())?.verdict.holds();
         if !is_same {
             return open("it has forces that are linear in the velocities, which may make it stable");
         }
@@ -167,7 +166,7 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
         }),
         // Stability is claimed of all states, and one with a negative direction refutes it.
         (true, Some(minor)) => {
-            let found = identity::check(&signed(&minor, Relation::GreaterEqual), &quick(context))?;
+            let found = identity::check(&signed(&minor, Relation::GreaterEqual), &context.quick())?;
             Ok(Finding { message: format!("{}, but it is not stable", rest.message), ..found })
         }
         _ => open("the second derivatives of the Lagrangian do not decide it at all states"),
@@ -191,7 +190,7 @@ fn sign(of: &Expr, relation: Relation, context: &Context<'_>) -> Result<Finding>
     if let Some(found) = at_states(of, relation, context)? {
         return Ok(found);
     }
-    identity::check(&signed(of, relation), &quick(context))
+    identity::check(&signed(of, relation), &context.quick())
 }
 
 /// The finding that a formula has a sign where a sampled state refutes it, or where no more is asked; else `None`.
@@ -230,18 +229,4 @@ fn minors(matrix: &[Vec<Expr>]) -> Vec<Expr> {
 fn determinant(matrix: &[Vec<Expr>], (a, b): (usize, usize), (c, d): (usize, usize)) -> Expr {
     let entry = |row: usize, column: usize| matrix[row][column].clone();
     product(vec![entry(a, c), entry(b, d)]).minus(product(vec![entry(a, d), entry(b, c)]))
-}
-
-/// Whether a formula contains the time, also inside of what it is made of.
-fn depends_on_time(formula: &Expr, context: &Context<'_>) -> bool {
-    let model = context.model;
-    let time = model.symbols.time.as_ref().and_then(|name| model.symbols.find(name)).map(|(id, _)| id);
-    formula.symbols().iter().any(|(id, _)| {
-        Some(*id) == time
-            || matches!(model.meaning(*id), Some(Meaning::Defined(inner)) if depends_on_time(inner, context))
-    })
-}
-
-fn quick<'c>(context: &Context<'c>) -> Context<'c> {
-    Context { options: Options { explain: false, ..context.options }, ..*context }
 }

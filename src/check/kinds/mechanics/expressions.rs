@@ -6,6 +6,7 @@ use crate::formula::{Expr, Node, Relation, SymbolId};
 use crate::source::Span;
 
 use crate::check::model::claim::Link;
+use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
 
 /// The Lagrangian that the notes define, as a formula that is its name.
@@ -57,4 +58,14 @@ pub(super) fn product(all: Vec<Expr>) -> Expr {
 /// A symbol with this number of dots.
 pub(super) fn symbol(id: SymbolId, dots: u8) -> Expr {
     Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, Span::default())
+}
+
+/// Whether a formula contains the time, also inside of what it is made of.
+pub(super) fn depends_on_time(formula: &Expr, context: &Context<'_>) -> bool {
+    let model = context.model;
+    let time = model.symbols.time.as_ref().and_then(|name| model.symbols.find(name)).map(|(id, _)| id);
+    formula.symbols().iter().any(|(id, _)| {
+        Some(*id) == time
+            || matches!(model.meaning(*id), Some(Meaning::Defined(inner)) if depends_on_time(inner, context))
+    })
 }

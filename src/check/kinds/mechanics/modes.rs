@@ -5,15 +5,16 @@
 //! root is a double one. A printed secular equation is compared as a whole: its two sides must differ by det(K − ω²M) times a factor
 //! without ω. So it has all roots, and no others.
 
-use crate::Result;
 use crate::code::Code;
 use crate::formula::{Expr, Node, SymbolId};
 use crate::source::Span;
+use crate::{Error, Result};
 
-use super::expressions::{equal, lagrangian, partial, product, symbol};
+use super::expressions::{depends_on_time, equal, lagrangian, partial, product, symbol};
 use crate::check::judge::identity;
+use crate::check::model::PrintedLagrangian;
 use crate::check::model::claim::Link;
-use crate::check::sample::context::{Context, Options};
+use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
@@ -27,6 +28,9 @@ const MOST: usize = 4;
 /// When no state can be drawn.
 pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<'_>) -> Result<Finding> {
     let Some(matrices) = matrices(context) else { return Ok(unsupported(context)) };
+    if let Some(why) = obstacle(&matrices, context)? {
+        return Ok(context.finding(Code::NotSupported, Verdict::Undecided, why));
+    }
     let zero = Expr::integer(0, Span::default());
     let link = equal(&secular(&matrices, square), &zero);
     let context = &Context { on_shell: Some(false), ..*context };
@@ -43,7 +47,7 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
         _ => return Ok(found),
     }
     for (name, other) in others {
-        let is_same = square == other || identity::check(&equal(square, other), &quick(context))?.verdict.holds();
+        let is_same = square == other || identity::check(&equal(square, other), &context.quick())?.verdict.holds();
         if is_same && !is_double(&matrices, square, context)? {
             let message = format!("this is the same normal frequency as {name}, which is no double one");
             return Ok(context.finding(Code::SidesDiffer, Verdict::Refuted, message));
@@ -58,6 +62,9 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
 /// When no state can be drawn.
 pub(crate) fn secular_equation(link: &Link, omega: SymbolId, context: &Context<'_>) -> Result<Finding> {
     let Some(matrices) = matrices(context) else { return Ok(unsupported(context)) };
+    if let Some(why) = obstacle(&matrices, context)? {
+        return Ok(context.finding(Code::NotSupported, Verdict::Undecided, why));
+    }
     let name = symbol(omega, 0);
     let ours = secular(&matrices, &product(vec![name.clone(), name]));
     let printed = link.lhs.clone().minus(link.rhs.clone());
@@ -102,12 +109,60 @@ pub(crate) fn secular_equation(link: &Link, omega: SymbolId, context: &Context<'
 /// Whether a formula is 0 whatever its symbols are.
 fn is_zero(of: &Expr, context: &Context<'_>) -> Result<bool> {
     let link = equal(of, &Expr::integer(0, Span::default()));
-    Ok(of.is_zero() || identity::check(&link, &Context { on_shell: Some(false), ..quick(context) })?.verdict.holds())
+    Ok(of.is_zero() || identity::check(&link, &Context { on_shell: Some(false), ..context.quick() })?.verdict.holds())
 }
 
 fn unsupported(context: &Context<'_>) -> Finding {
     let message = "the second derivatives of the Lagrangian at rest cannot be formed as formulas";
     context.finding(Code::NotSupported, Verdict::Undecided, message)
+}
+
+/// Why det(K − ω²M) = 0 may not give the frequencies, if something speaks against it.
+fn obstacle(matrices: &(Rows, Rows), context: &Context<'_>) -> Result<Option<&'static str>> {
+    let model = context.model;
+    let is_pushed = |printed: &PrintedLagrangian| !printed.forces.is_empty() || !printed.constraints.is_empty();
+    if model.printed_lagrangian.as_ref().is_some_and(is_pushed) {
+        return Ok(Some("there are forces or constraints beside the Lagrangian, which det(K − ω²M) does not contain"));
+    }
+    if matrices.0.iter().chain(&matrices.1).flatten().any(|entry| depends_on_time(entry, context)) {
+        return Ok(Some("the Lagrangian depends on the time, so the motion has no normal frequencies"));
+    }
+    let Some(lagrangian) = lagrangian(context) else { return Ok(None) };
+    let context = &Context { on_shell: Some(false), ..context.quick() };
+    let is_refuted = |link: &Link| Ok::<bool, Error>(identity::check(link, context)?.verdict == Verdict::Refuted);
+    let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
+    let turning = |velocity: SymbolId, place: SymbolId| -> Option<Expr> {
+        Some(at_zero(partial(&partial(&lagrangian, velocity, 1, context)?, place, 0, context)?, &coordinates))
+    };
+    for (at, a) in coordinates.iter().enumerate() {
+        for b in &coordinates[at + 1..] {
+            let (Some(one), Some(other)) = (turning(*a, *b), turning(*b, *a)) else { continue };
+            if one != other && is_refuted(&equal(&one, &other))? {
+                return Ok(Some(
+                    "there are forces that are linear in the velocities, which det(K − ω²M) does not contain",
+                ));
+            }
+        }
+        let Some(force) = partial(&lagrangian, *a, 0, context).map(|force| at_zero(force, &coordinates)) else {
+            continue;
+        };
+        let is_driven = depends_on_time(&force, context);
+        if !is_driven && !force.is_zero() && is_refuted(&equal(&force, &Expr::integer(0, Span::default())))? {
+            return Ok(Some(
+                "the system does not stay at rest where all coordinates are 0; measure the coordinates from the place of rest",
+            ));
+        }
+    }
+    Ok(None)
+}
+
+/// A formula where all coordinates and velocities are 0.
+fn at_zero(mut formula: Expr, coordinates: &[SymbolId]) -> Expr {
+    formula.substitute(&|part| match part {
+        Node::Symbol { id, .. } if coordinates.contains(id) => Some(Expr::integer(0, Span::default())),
+        _ => None,
+    });
+    formula
 }
 
 /// A matrix of formulas, by rows.
@@ -122,11 +177,8 @@ fn matrices(context: &Context<'_>) -> Option<(Rows, Rows)> {
     }
     let matrix = |dots: u8| -> Option<Vec<Vec<Expr>>> {
         let entry = |a: &SymbolId, b: &SymbolId| {
-            let mut second = partial(&partial(&lagrangian, *a, dots, context)?, *b, dots, context)?;
-            second.substitute(&|part| match part {
-                Node::Symbol { id, .. } if coordinates.contains(id) => Some(Expr::integer(0, Span::default())),
-                _ => None,
-            });
+            let second = partial(&partial(&lagrangian, *a, dots, context)?, *b, dots, context)?;
+            let second = at_zero(second, &coordinates);
             Some(if dots == 0 { second.negated() } else { second })
         };
         coordinates.iter().map(|a| coordinates.iter().map(|b| entry(a, b)).collect()).collect()
@@ -179,8 +231,4 @@ fn is_double(matrices: &(Vec<Vec<Expr>>, Vec<Vec<Expr>>), root: &Expr, context: 
         all.push(determinant(&rows.collect::<Vec<_>>()));
     }
     is_zero(&super::expressions::sum(all), context)
-}
-
-fn quick<'c>(context: &Context<'c>) -> Context<'c> {
-    Context { options: Options { explain: false, ..context.options }, ..*context }
 }

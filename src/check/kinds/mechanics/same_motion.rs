@@ -11,10 +11,10 @@ use crate::formula::tree::{Sign, Term};
 use crate::formula::{Expr, Node, SymbolId, Value, text};
 use crate::source::Span;
 
-use super::expressions::{equal, euler_lagrange, partial, rate};
+use super::expressions::{equal, euler_lagrange, lagrangian, partial, rate};
 use crate::check::judge::{difference, identity};
 use crate::check::model::meaning::Meaning;
-use crate::check::sample::context::{Context, Options};
+use crate::check::sample::context::Context;
 use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -45,7 +45,7 @@ pub(crate) fn check(ours: &Expr, other: &Expr, context: &Context<'_>) -> Result<
         let message = "this is the same formula, so nothing is checked; print the Lagrangian that is claimed";
         return Ok(context.finding(Code::SameFormula, Verdict::Undecided, message));
     }
-    let off_shell = quick(&Context { on_shell: Some(false), ..*context });
+    let off_shell = Context { on_shell: Some(false), ..*context }.quick();
     let found = all_equal(&of_ours, &of_other, &off_shell)?;
     if found.verdict.holds() {
         let how = match total_derivative(ours, other, &coordinates, &off_shell)? {
@@ -62,7 +62,22 @@ pub(crate) fn check(ours: &Expr, other: &Expr, context: &Context<'_>) -> Result<
         return Ok(Finding { message: format!("gives the same motion as {shown}; it is {factor} times it"), ..found });
     }
     let message = format!("this does not give the same motion as {shown}");
-    Ok(Finding { message, code: Code::SidesDiffer, ..found })
+    let refuted = Finding { message, code: Code::SidesDiffer, ..found };
+    // The equations of one may be combinations of those of the other. So ours are tested along the motions of the other one.
+    let is_system =
+        lagrangian(context).is_some_and(|lagrangian| lagrangian.as_plain_symbol() == other.as_plain_symbol());
+    let zeros: Vec<Expr> = of_ours.iter().map(|of| Expr::integer(0, of.span)).collect();
+    let along = match is_system {
+        true => all_equal(&of_ours, &zeros, &Context { on_shell: Some(true), ..*context }.quick())?.verdict,
+        false => Verdict::Undecided,
+    };
+    if along == Verdict::Refuted {
+        return Ok(refuted);
+    }
+    let message = format!(
+        "the equations of this are not those of {shown} one by one; whether it gives the same motion was not decided"
+    );
+    Ok(context.finding(Code::NotDecided, Verdict::Undecided, message))
 }
 
 /// The coordinates of the document, in their order.
@@ -122,7 +137,7 @@ fn factor(
     let found = all_equal(of_ours, &of_other.iter().map(scaled).collect::<Vec<_>>(), context)?;
     // It is constant if it is the same for all motions: the states are off shell.
     let steady = equal(&rate(ratio.clone()), &Expr::integer(0, ours.span));
-    let is_constant = is_free_of_motion(&ratio, context) || identity::check(&steady, &quick(context))?.verdict.holds();
+    let is_constant = is_free_of_motion(&ratio, context) || identity::check(&steady, &context.quick())?.verdict.holds();
     Ok((found.verdict.holds() && is_constant).then_some((ratio, found)))
 }
 
@@ -133,10 +148,6 @@ fn is_free_of_motion(formula: &Expr, context: &Context<'_>) -> bool {
         Some(Meaning::Defined(formula)) => is_free_of_motion(formula, context),
         _ => false,
     })
-}
-
-fn quick<'c>(context: &Context<'c>) -> Context<'c> {
-    Context { options: Options { explain: false, ..context.options }, ..*context }
 }
 
 /// What the difference of two Lagrangians is, in words, where it is a constant or the rate of a polynomial.
@@ -161,7 +172,7 @@ fn total_derivative(
         _ => None,
     });
     let depends_on_time = still.symbols().iter().any(|(id, _)| Some(*id) == time);
-    if !depends_on_time && identity::check(&equal(&whole, &still), &quick(context))?.verdict.holds() {
+    if !depends_on_time && identity::check(&equal(&whole, &still), &context.quick())?.verdict.holds() {
         return Ok(printed(&still, context).map(|constant| format!("the constant {constant}")));
     }
     let plain = |id: SymbolId| node(Node::Symbol { id, indices: Vec::new(), dots: 0 });
@@ -199,7 +210,7 @@ fn total_derivative(
     }
     let function = node(Node::Sum(terms));
     let link = equal(&rate(function.clone()), &whole);
-    if !identity::check(&link, &quick(context))?.verdict.holds() {
+    if !identity::check(&link, &context.quick())?.verdict.holds() {
         return Ok(None);
     }
     Ok(printed(&function, context).map(|function| format!("d/dt of {function}")))

@@ -11,6 +11,9 @@ use crate::source::{Fault, Span};
 
 use super::item::{Item, Layout, Units};
 
+/// The highest power of a unit that is read.
+const LARGEST: i32 = 12;
+
 pub(super) use places::settled;
 
 impl Units {
@@ -43,7 +46,13 @@ impl Units {
                     .help("write m\\,s^{-1} or (ms)^{-1}"),
             );
         }
-        *exponent *= power;
+        match exponent.checked_mul(power).filter(|product| product.abs() <= LARGEST) {
+            Some(product) => *exponent = product,
+            None => {
+                let fault = Fault::unsupported(span, "this power of a unit is too high");
+                self.fault = Some(fault.help(format!("write a power of at most {LARGEST}")));
+            }
+        }
     }
 }
 
@@ -59,7 +68,6 @@ pub(super) fn word(word: Layout, argument: &Item, span: Span) -> Item {
 
 /// The whole number, with a sign perhaps, that a superscript is.
 fn exponent(item: &Item) -> Option<i32> {
-    const LARGEST: i32 = 12;
     let items = match &item.layout {
         Layout::Group(items) => items.as_slice(),
         _ => std::slice::from_ref(item),
