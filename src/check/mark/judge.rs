@@ -173,6 +173,12 @@ impl Judge<'_, '_> {
     fn false_line(&mut self, at: usize, reading: &Reading, line: &mut Line, finding: &Finding) -> Result<()> {
         let written = &self.world.written[at];
         let display = self.world.first + at;
+        // A law may be a condition that the others do not imply, as the form of a steady motion.
+        if results::prints_a_law(self.quiet, self.world, reading) {
+            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Law));
+            line.because = "a law that the problem gives".to_owned();
+            return Ok(());
+        }
         line.verdict = Some(finding.verdict);
         let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
         let is_said = written.is_supposed || written.inline;

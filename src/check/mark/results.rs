@@ -338,6 +338,17 @@ fn says_a_law(checker: &Checker<'_>, world: &World<'_>, own: &Link) -> bool {
     })
 }
 
+/// Whether a line prints a law of the problem as the problem does, in either order of its sides.
+pub(super) fn prints_a_law(checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> bool {
+    let own = links(checker, reading);
+    let laws: Vec<Link> = world.problem.laws.iter().flat_map(|law| links(checker, &checker.readings[*law])).collect();
+    let is_it = |own: &Link, law: &Link| {
+        own.relation == law.relation
+            && (own.lhs == law.lhs && own.rhs == law.rhs || own.lhs == law.rhs && own.rhs == law.lhs)
+    };
+    !own.is_empty() && own.iter().all(|own| laws.iter().any(|law| is_it(own, law)))
+}
+
 /// Whether a link speaks of the rate of a quantity that the problem defines, or of the rate of a formula, where a result
 /// does. The equation of motion is no statement on the rate of the energy, though that follows from it.
 fn is_about_its_rates(checker: &Checker<'_>, link: &Link, wanted: &Link) -> bool {

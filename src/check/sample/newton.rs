@@ -31,6 +31,9 @@ const MOST_STALLED: usize = 5;
 
 const SHORTER: f64 = 0.9;
 
+/// A number of this size or less may be 0 but for rounding.
+const NEAR_ZERO: f64 = 1e-9;
+
 /// The relative size below which a step may be rounding where the rows are large.
 const ROUNDED: f64 = 1e-9;
 
@@ -277,10 +280,24 @@ impl<'m> Projection<'m> {
             let is_noise = |value: &RunningError| value.value.abs() <= f64::EPSILON * value.magnitude;
             let values = || self.values(&state, &rows);
             if largest < 1e-15 || is_last || values().is_some_and(|values| values.iter().all(is_noise)) {
-                return Ok(in_range(base).then_some(state));
+                return Ok((in_range(base) && !self.is_excluded_zero(base, plan)?).then_some(state));
             }
         }
         Ok(None)
+    }
+
+    /// Whether a number that must not be 0 was moved to 0 but for rounding: rows that hold with 0 as well cannot tell the two apart.
+    fn is_excluded_zero(&self, base: &[f64], plan: &[(Row, usize)]) -> Result<bool> {
+        let is_tiny = |slot: &usize| base[*slot].abs() < NEAR_ZERO && !self.allows(*slot, 0.0);
+        let tiny: Vec<usize> = plan.iter().map(|(_, slot)| *slot).filter(is_tiny).collect();
+        if tiny.is_empty() {
+            return Ok(false);
+        }
+        let mut at_zero = base.to_vec();
+        tiny.iter().for_each(|slot| at_zero[*slot] = 0.0);
+        let rows: Vec<Row> = plan.iter().map(|(row, _)| *row).collect();
+        let state = self.measured(&at_zero)?;
+        Ok(self.values(&state, &rows).is_some_and(|values| values.into_iter().all(residual::vanishes)))
     }
 
     /// Whether every hypothesis holds at a state, apart from those that are known to hold.
