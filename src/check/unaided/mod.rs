@@ -2,14 +2,14 @@
 //!
 //! The claims file is inferred (`guess`), and the notes are checked with it like any others. Then each finding is
 //! weighed ([`gate`]): what holds follows, what gives a name a formula introduces it, and a relation that does not follow
-//! is taken for granted. It is called wrong only if one likely slip lies between it and an equation that is certified.
+//! is taken for granted. It is called wrong only if one likely slip lies between it and an equation that follows.
 //! A free assumption is not one edit away from a theorem, so notes that state laws of nature are not called wrong.
 //!
 //! # Why nothing else is called wrong
 //!
 //! Without claims nobody says what the symbols mean. Most equations in notes are laws, conditions or values, and fail at
 //! random states. A false "wrong" costs the trust that ten found slips earn. So the correction must be there before the
-//! word is said, it must be certified, and it must not be a triviality such as a = a.
+//! word is said, it must pass the check, and it must not be a triviality such as a = a.
 //!
 //! Offers [`unaided`], [`draft`] for the inferred claims as a file, and `guessed` for the check with such a file. Knows all
 //! other folders of `check`.
