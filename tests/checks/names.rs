@@ -257,7 +257,10 @@ fn a_function_of_the_time_is_introduced_with_it_and_d_and_e_with_an_index() {
     assert_eq!(verdicts(&moving, &["d_{11} = a + b", "c d_{11} = a c - b c"])[1], Refuted);
     // The twins: a place that is no time, and names that mean something.
     assert_eq!(verdicts(&moving, &["x(a) = a + b", "x = b"])[0], Unreadable);
-    assert_eq!(verdicts(&moving, &["d = a + b", "a + b = e"]), [Unreadable, Unreadable]);
+    assert_eq!(verdicts(&moving, &["a + b = d", "a + b = e"]), [Unreadable, Unreadable]);
+    // A display that begins with d defines it, and a slip with it is found.
+    assert_eq!(verdicts(&moving, &["d = a + b", "c d = a c + b c"]), [Definition, Verified]);
+    assert_eq!(verdicts(&moving, &["d = a + b", "c d = a c - b c"])[1], Refuted);
     // A display that begins with e defines it; one that begins with its square says something of the number.
     assert_eq!(verdicts(&moving, &["e = a + b", "c e = a c + b c"]), [Definition, Verified]);
     assert_eq!(verdicts(&moving, &["e^2 = a + b"])[0], Unreadable);

@@ -269,10 +269,7 @@ fn compare(relation: Relation, a: RunningError, b: RunningError, entry: impl Fn(
                     }
                 }
                 relation if holds(relation, difference) => Point::Holds(0.0),
-                // Sides that differ by less than rounding may differ by the little that is claimed.
-                _ if residual > DIFFERENCE || a.value == b.value && !holds(relation, difference) => {
-                    Point::Fails(failure())
-                }
+                _ if residual > DIFFERENCE || vanishes(difference) => Point::Fails(failure()),
                 _ => Point::Doubtful,
             }
         }
