@@ -261,6 +261,10 @@ fn a_function_of_the_time_is_introduced_with_it_and_d_and_e_with_an_index() {
     // A display that begins with d defines it, and a slip with it is found.
     assert_eq!(verdicts(&moving, &["d = a + b", "c d = a c + b c"]), [Definition, Verified]);
     assert_eq!(verdicts(&moving, &["d = a + b", "c d = a c - b c"])[1], Refuted);
+    // Then an upright d is a derivative, and an italic one beside the time may be either.
+    let rate = |d: &str| verdicts(&moving, &["d = a + b", "x(t) = d t", &format!(r"\frac{{{d} x}}{{{d} t}} = a + b")]);
+    assert_eq!(rate(r"\mathrm{d}")[2], Verified);
+    assert_eq!(rate("d")[2], Unreadable);
     // A display that begins with e defines it; one that begins with its square says something of the number.
     assert_eq!(verdicts(&moving, &["e = a + b", "c e = a c + b c"]), [Definition, Verified]);
     assert_eq!(verdicts(&moving, &["e^2 = a + b"])[0], Unreadable);

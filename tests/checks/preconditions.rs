@@ -2,9 +2,10 @@
 //! and a false one does not pass.
 
 use onshell::check::Verdict;
+use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{equation, outcome};
+use crate::support::{document, equation, numbered, outcome};
 
 /// The verdict on the last display under a claim of its own.
 fn verdict(claims: &Json, displays: &[&str], claim: Json) -> Verdict {
@@ -67,4 +68,59 @@ fn a_formula_that_stands_for_a_name_has_no_known_derivative() {
     }
     let linear = r"2 \langle E(a) \rangle + a = a + \langle E(a) \rangle + \langle E(a) \rangle";
     assert_eq!(verdict(&claims, &[linear], json!({})), Verdict::Verified);
+}
+
+#[test]
+fn a_lagrangian_that_depends_on_the_time_has_no_normal_frequency() {
+    let claims = |dimension: &str| {
+        json!({
+            "coordinates": { dimension: "any" },
+            "constants": { r"m, k, \gamma": "> 0" },
+            "means": { "L": "Lagrangian", r"\omega": "normal frequency" },
+        })
+    };
+    let damped = r"L = e^{\gamma t}\left(\frac12 m\dot x^2 - \frac12 k x^2\right)";
+    let found = document(&claims("x"), &numbered(&[damped, r"\omega^2 = \frac{k}{m}"]), &Registry::standard(), None);
+    assert!(found.is_err_and(|error| error.to_string().contains("depends on the time")));
+    let spring = r"L = \frac12 m\dot x^2 - \frac12 k x^2";
+    assert_eq!(verdict(&claims("x"), &[spring, r"\omega^2 = \frac{k}{m}"], json!({})), Verdict::Verified);
+}
+
+/// m_2 > 0, but m_2 = 0 with any v_2 obeys both laws. That is no state of the notes.
+#[test]
+fn a_number_that_must_not_be_0_is_not_moved_to_0() {
+    let claims = json!({
+        "constants": { "m_1, m_2, u, v_2": "> 0", "v_1": "any" },
+        "laws": { "momentum": "1", "energy": "2" },
+    });
+    let momentum = "m_1 u = m_1 v_1 + m_2 v_2";
+    let energy = r"\frac12 m_1 u^2 = \frac12 m_1 v_1^2 + \frac12 m_2 v_2^2";
+    for (printed, expected) in [
+        ("u + v_1 = v_2", Verdict::Verified),
+        (r"v_2 = \frac{2 m_1}{m_1 + m_2} u", Verdict::Verified),
+        (r"v_2 = \frac{m_1}{m_1 + m_2} u", Verdict::Refuted),
+        ("u - v_1 = v_2", Verdict::Refuted),
+    ] {
+        assert_eq!(verdict(&claims, &[momentum, energy, printed], json!({})), expected, "{printed}");
+    }
+}
+
+#[test]
+fn numbers_with_units_at_the_edge_of_what_can_be_read() {
+    let claims = json!({ "constants": { "t, x, g, M": "> 0" } });
+    let nested = (0..11).fold(r"\text{m}".to_owned(), |unit, _| format!("{{{unit}}}^{{8}}"));
+    for (printed, expected) in [
+        // An exponent that no whole number of the machine holds.
+        (format!(r"x = 2.0\,{nested} = 2.0\,\text{{m}}\cdot 1.0\,\text{{m}}^{{-1}}"), Verdict::Unreadable),
+        (r"g = 9.81(2)\,\text{m/s}^2 = 9.81\,\text{m/s}^2".to_owned(), Verdict::Unreadable),
+        (r"x = 1.0\times 10^{-200}\,\text{m} = 3.0\times 10^{200}\,\text{m}".to_owned(), Verdict::Refuted),
+        (r"M = 500\,\text{kg}\times 3 \approx 10^3\,\text{kg}".to_owned(), Verdict::Verified),
+        (r"M = 500\,\text{kg}\times 3 \approx 10^5\,\text{kg}".to_owned(), Verdict::Undecided),
+        (r"M = 500\,\text{kg}\times 3 \approx 10^3\,\text{s}".to_owned(), Verdict::Refuted),
+        // Where constants of nature are 1, these are equal.
+        (r"t = 0.0\,\text{s}\times 3 = 0.0\,\text{m}".to_owned(), Verdict::Undecided),
+        (r"t = 0.0\,\text{s}\times 3 = 0".to_owned(), Verdict::Verified),
+    ] {
+        assert_eq!(verdict(&claims, &[printed.as_str()], json!({})), expected, "{printed}");
+    }
 }

@@ -385,3 +385,12 @@ fn another_case_is_not_called_wrong() {
         assert!(wrong.is_empty() && code == 0, "{display}: {wrong:?}");
     }
 }
+
+/// The same words hide no identity that is wrong in every case.
+#[test]
+fn an_identity_is_wrong_in_every_case() {
+    let text = "Two waves that run in opposite directions add up to\n\n\
+        $$ A\\sin(kx - \\omega t) + A\\sin(kx + \\omega t) = 2A\\sin kx\\sin\\omega t $$\n";
+    let (equations, code) = report("every-case", "notes.md", text);
+    assert_eq!((equations[0]["verdict"].as_str(), code), (Some("refuted"), 1));
+}

@@ -25,7 +25,7 @@ impl Solution {
         let Node::Symbol { id, indices, dots } = &link.lhs.node else { return None };
         let order = order_of_motion(*id, model)?;
         let fits = is_equality(link.relation) && indices.is_empty();
-        if !fits || !contains_time(&link.rhs, model) || !is_of_time_and_constants(&link.rhs, model) {
+        if !fits || !model.contains_time(&link.rhs) || !is_of_time_and_constants(&link.rhs, model) {
             return None;
         }
         Some(Solution { coordinate: *id, dots: *dots, formula: link.rhs.clone(), order })
@@ -88,15 +88,6 @@ fn is_of_time_and_constants(formula: &Expr, model: &Model) -> bool {
     formula.symbols().iter().all(|(id, _)| match model.meaning(*id) {
         Some(Meaning::Constant(_) | Meaning::Time) => true,
         Some(Meaning::Defined(formula)) => is_of_time_and_constants(formula, model),
-        _ => false,
-    })
-}
-
-/// Whether a formula contains the time, through definitions too.
-fn contains_time(formula: &Expr, model: &Model) -> bool {
-    formula.symbols().iter().any(|(id, _)| match model.meaning(*id) {
-        Some(Meaning::Time) => true,
-        Some(Meaning::Defined(formula)) => contains_time(formula, model),
         _ => false,
     })
 }

@@ -182,6 +182,15 @@ impl Model {
         expr.symbols().iter().any(|(id, _)| self.symbol_depends_on(*id, symbols))
     }
 
+    /// Whether a formula contains the time, through definitions too.
+    pub(crate) fn contains_time(&self, formula: &Expr) -> bool {
+        formula.symbols().iter().any(|(id, _)| match self.meaning(*id) {
+            Some(Meaning::Time) => true,
+            Some(Meaning::Defined(inner)) => self.contains_time(inner),
+            _ => false,
+        })
+    }
+
     /// Whether a formula consists of drawn symbols and definitions only, without quantities of a system or a frame.
     pub fn is_plain(&self, expr: &Expr) -> bool {
         expr.symbols().iter().all(|(id, _)| match self.meaning(*id) {

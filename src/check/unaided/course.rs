@@ -300,7 +300,7 @@ impl Course<'_, '_> {
             names
         };
         let is_free = |(id, dots): &(SymbolId, u8)| {
-            *dots == 0 && matches!(model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Varying(_)) | None)
+            *dots == 0 && matches!(model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Varying(_) | Meaning::Time))
         };
         self.checker.readings[at].statements.iter().flatten().all(|statement| {
             let all: Vec<_> = statement.members.iter().map(names).collect();

@@ -105,18 +105,10 @@ fn solved_after(checker: &Checker<'_>, moving: SymbolId, place: (usize, usize)) 
     });
     statements.any(|(at, read)| {
         let Ok(statement) = read else { return false };
-        let is_of_time = |formula: &Expr| contains_time(formula, model) && !moves(formula, model);
+        let is_of_time = |formula: &Expr| model.contains_time(formula) && !moves(formula, model);
         at > place
             && statement.members.first().and_then(Expr::as_plain_symbol) == Some(moving)
             && statement.members.get(1).is_some_and(is_of_time)
-    })
-}
-
-fn contains_time(formula: &Expr, model: &Model) -> bool {
-    formula.symbols().iter().any(|(id, _)| match model.meaning(*id) {
-        Some(Meaning::Time) => true,
-        Some(Meaning::Defined(inner)) => contains_time(inner, model),
-        _ => false,
     })
 }
 

@@ -97,7 +97,7 @@ const ASSUMPTION: [&str; 38] = [
 ];
 
 /// Words of another case, which differs by a sign, an axis or a factor.
-const OTHER_CASE: [&str; 14] = [
+const OTHER_CASE: [&str; 13] = [
     "invert",
     "repuls",
     "attract",
@@ -110,7 +110,6 @@ const OTHER_CASE: [&str; 14] = [
     "replac",
     "decelerat",
     "slows down",
-    "on the moon",
     "reverse",
 ];
 

@@ -103,7 +103,9 @@ impl Reader<'_> {
             return Ok(None);
         }
         let span = numerator.span.to(denominator.span);
-        if self.symbols.find(&Name::plain("d")).is_some() {
+        // An upright d is no name.
+        let is_upright = upper.first().is_some_and(|d| matches!(d.layout, Layout::Style(..)));
+        if self.symbols.find(&Name::plain("d")).is_some() && !is_upright {
             return Err(Fault::ambiguous(span, "d may be a differential or the declared symbol")
                 .help("write \\mathrm{d} for the derivative"));
         }

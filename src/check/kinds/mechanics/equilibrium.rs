@@ -11,7 +11,7 @@ use crate::formula::{Expr, Relation, SymbolId};
 use crate::notes::claims::Equilibrium;
 use crate::source::Span;
 
-use super::expressions::{depends_on_time, equal, lagrangian, partial, product, symbol};
+use super::expressions::{equal, lagrangian, partial, product, symbol, without_velocity_forces};
 use crate::check::judge::identity;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::sample::context::Context;
@@ -84,7 +84,7 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
         return open("there are too many coordinates");
     }
     let Some(lagrangian) = lagrangian(context) else { return open("the notes print no Lagrangian") };
-    if depends_on_time(&lagrangian, context) {
+    if context.model.contains_time(&lagrangian) {
         return open("the Lagrangian depends on the time");
     }
     let matrix = |dots: u8, sign: bool| -> Option<Vec<Vec<Expr>>> {
@@ -132,16 +132,9 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
             },
         });
     }
-    let mut turning = Vec::new();
-    for (at, a) in coordinates.iter().enumerate() {
-        for b in &coordinates[at + 1..] {
-            let mixed = |p: SymbolId, q: SymbolId| partial(&partial(&lagrangian, p, 1, context)?, q, 0, context);
-            let (Some(one), Some(other)) = (mixed(*a, *b), mixed(*b, *a)) else {
-                return open("the Lagrangian has no second derivatives as formulas");
-            };
-            turning.push(equal(&one, &other));
-        }
-    }
+    let Some(turning) = without_velocity_forces(&lagrangian, coordinates, context) else {
+        return open("the Lagrangian has no second derivatives as formulas");
+    };
     for link in turning {
         let is_same = link.lhs == link.rhs || identity::check(&link, &context.quick())?.verdict.holds();
         if !is_same {

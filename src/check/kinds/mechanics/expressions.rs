@@ -6,7 +6,6 @@ use crate::formula::{Expr, Node, Relation, SymbolId};
 use crate::source::Span;
 
 use crate::check::model::claim::Link;
-use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
 
 /// The Lagrangian that the notes define, as a formula that is its name.
@@ -60,12 +59,15 @@ pub(super) fn symbol(id: SymbolId, dots: u8) -> Expr {
     Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, Span::default())
 }
 
-/// Whether a formula contains the time, also inside of what it is made of.
-pub(super) fn depends_on_time(formula: &Expr, context: &Context<'_>) -> bool {
-    let model = context.model;
-    let time = model.symbols.time.as_ref().and_then(|name| model.symbols.find(name)).map(|(id, _)| id);
-    formula.symbols().iter().any(|(id, _)| {
-        Some(*id) == time
-            || matches!(model.meaning(*id), Some(Meaning::Defined(inner)) if depends_on_time(inner, context))
-    })
+/// The equalities ∂²L/∂q̇∂r = ∂²L/∂ṙ∂q of each two coordinates q and r. Where one fails, there are forces that are linear in the
+/// velocities. `None` if there are no such derivatives as formulas.
+pub(super) fn without_velocity_forces(
+    lagrangian: &Expr,
+    coordinates: &[SymbolId],
+    context: &Context<'_>,
+) -> Option<Vec<Link>> {
+    let mixed =
+        |velocity: SymbolId, place: SymbolId| partial(&partial(lagrangian, velocity, 1, context)?, place, 0, context);
+    let pairs = coordinates.iter().enumerate().flat_map(|(at, q)| coordinates[at + 1..].iter().map(move |r| (*q, *r)));
+    pairs.map(|(q, r)| Some(equal(&mixed(q, r)?, &mixed(r, q)?))).collect()
 }

@@ -10,7 +10,7 @@ use crate::formula::{Expr, Node, SymbolId};
 use crate::source::Span;
 use crate::{Error, Result};
 
-use super::expressions::{depends_on_time, equal, lagrangian, partial, product, symbol};
+use super::expressions::{equal, lagrangian, partial, product, symbol, without_velocity_forces};
 use crate::check::judge::identity;
 use crate::check::model::PrintedLagrangian;
 use crate::check::model::claim::Link;
@@ -124,29 +124,24 @@ fn obstacle(matrices: &(Rows, Rows), context: &Context<'_>) -> Result<Option<&'s
     if model.printed_lagrangian.as_ref().is_some_and(is_pushed) {
         return Ok(Some("there are forces or constraints beside the Lagrangian, which det(K − ω²M) does not contain"));
     }
-    if matrices.0.iter().chain(&matrices.1).flatten().any(|entry| depends_on_time(entry, context)) {
+    if matrices.0.iter().chain(&matrices.1).flatten().any(|entry| model.contains_time(entry)) {
         return Ok(Some("the Lagrangian depends on the time, so the motion has no normal frequencies"));
     }
     let Some(lagrangian) = lagrangian(context) else { return Ok(None) };
     let context = &Context { on_shell: Some(false), ..context.quick() };
     let is_refuted = |link: &Link| Ok::<bool, Error>(identity::check(link, context)?.verdict == Verdict::Refuted);
     let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
-    let turning = |velocity: SymbolId, place: SymbolId| -> Option<Expr> {
-        Some(at_zero(partial(&partial(&lagrangian, velocity, 1, context)?, place, 0, context)?, &coordinates))
-    };
-    for (at, a) in coordinates.iter().enumerate() {
-        for b in &coordinates[at + 1..] {
-            let (Some(one), Some(other)) = (turning(*a, *b), turning(*b, *a)) else { continue };
-            if one != other && is_refuted(&equal(&one, &other))? {
-                return Ok(Some(
-                    "there are forces that are linear in the velocities, which det(K − ω²M) does not contain",
-                ));
-            }
+    for link in without_velocity_forces(&lagrangian, &coordinates, context).into_iter().flatten() {
+        let [one, other] = [link.lhs, link.rhs].map(|side| at_zero(side, &coordinates));
+        if one != other && is_refuted(&equal(&one, &other))? {
+            return Ok(Some("there are forces that are linear in the velocities, which det(K − ω²M) does not contain"));
         }
+    }
+    for a in &coordinates {
         let Some(force) = partial(&lagrangian, *a, 0, context).map(|force| at_zero(force, &coordinates)) else {
             continue;
         };
-        let is_driven = depends_on_time(&force, context);
+        let is_driven = model.contains_time(&force);
         if !is_driven && !force.is_zero() && is_refuted(&equal(&force, &Expr::integer(0, Span::default())))? {
             return Ok(Some(
                 "the system does not stay at rest where all coordinates are 0; measure the coordinates from the place of rest",
