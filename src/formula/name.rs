@@ -14,6 +14,23 @@ pub struct Name {
 }
 
 impl Name {
+    /// Whether the LaTeX of a name that stands for a formula, such as `V(x)`, contains a letter or a command.
+    pub fn mentions(&self, letter: &str) -> bool {
+        let mut rest = self.base.as_str();
+        while let Some(first) = rest.chars().next() {
+            let is_letter = |c: char| c.is_ascii_alphabetic();
+            let length = match first {
+                '\\' => 1 + rest[1..].find(|c| !is_letter(c)).unwrap_or(rest.len() - 1),
+                _ => first.len_utf8(),
+            };
+            if &rest[..length] == letter {
+                return true;
+            }
+            rest = &rest[length..];
+        }
+        false
+    }
+
     /// A name without subscript or primes.
     pub fn plain(base: impl Into<String>) -> Self {
         Name { base: base.into(), subscript: Vec::new(), primes: 0 }

@@ -124,3 +124,40 @@ fn numbers_with_units_at_the_edge_of_what_can_be_read() {
         assert_eq!(verdict(&claims, &[printed.as_str()], json!({})), expected, "{printed}");
     }
 }
+
+#[test]
+fn a_formula_that_stands_for_a_name_is_no_constant_in_a_sum_or_an_integral_over_what_it_contains() {
+    let claims = json!({
+        "constants": { "a, n, x, y": "> 0" },
+        "indices": { "i": "1..3" },
+        "formulas as names": { r"\psi(x)": "constant", r"\Phi(r_i)": "constant", "n!": "constant" },
+    });
+    for (printed, expected) in [
+        (r"\int_0^a \psi(x) \, dx = a \psi(x)", Verdict::Unreadable),
+        (r"\sum_{i=1}^{3} \Phi(r_i) = 3 \Phi(r_i)", Verdict::Unreadable),
+        (r"\sum_{n=0}^{2} n! = 3 \, n!", Verdict::Unreadable),
+        (r"\left. \psi(x) \right|_{x=a} = \psi(x)", Verdict::Unreadable),
+        // What it does not contain says nothing of it.
+        (r"\int_0^a \psi(x) \, dy = a \psi(x)", Verdict::Verified),
+        (r"\int_0^a \psi(x) \, dy = \psi(x)", Verdict::Refuted),
+        (r"\sum_{n=1}^{3} n \psi(x) = 6 \psi(x)", Verdict::Verified),
+    ] {
+        assert_eq!(verdict(&claims, &[printed], json!({})), expected, "{printed}");
+    }
+}
+
+#[test]
+fn what_rests_on_a_false_solution_is_not_certified() {
+    let claims = json!({
+        "varies with time": { "v, x": "any" },
+        "constants": { "m, c, u": "> 0" },
+        "laws": { "Newton": "1", "velocity": "2" },
+    });
+    let laws = [r"m \dot v = -c v", r"\dot x = v"];
+    let last = |speed, way| verdict(&claims, &[laws[0], laws[1], speed, way], json!({}));
+    let (grows, falls) = (r"v(t) = u e^{c t/m}", r"v(t) = u e^{-c t/m}");
+    let way_of_growth = r"x(t) = \frac{m u}{c}\left(e^{c t/m} - 1\right)";
+    assert_eq!(last(grows, way_of_growth), Verdict::Undecided);
+    assert_eq!(last(falls, way_of_growth), Verdict::Refuted);
+    assert_eq!(last(falls, r"x(t) = \frac{m u}{c}\left(1 - e^{-c t/m}\right)"), Verdict::Verified);
+}

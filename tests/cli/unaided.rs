@@ -358,7 +358,7 @@ fn a_lagrangian_is_known_by_the_squares_of_its_rates() {
 }
 
 /// Laws, the words after them, and a display of another case, which is true. Each would be one edit from what the laws say.
-const OTHER_CASES: [(&[&str], &str, &str); 7] = [
+const OTHER_CASES: [(&[&str], &str, &str); 8] = [
     (&[r"L = \frac12 m l^2\dot\theta^2 + m g l\cos\theta"], "Linearizing, we get", r"\ddot\theta = -\frac{g}{l}\theta"),
     (
         &[r"L = \frac12 m l^2\dot\theta^2 + m g l\cos\theta"],
@@ -367,6 +367,11 @@ const OTHER_CASES: [(&[&str], &str, &str); 7] = [
     ),
     (&[r"L = \frac12 m\dot y^2 - m g y"], "With $y$ pointing downward we obtain", r"m\ddot y = m g"),
     (&[r"L = \frac12 m\dot y^2 - m g y"], "Everything changes sign if\nthe axis points down:", r"m\ddot y = m g"),
+    (
+        &[r"L = \frac12 m l^2\dot\theta^2 + m g l\cos\theta"],
+        "With the gravity of another body, a seventh of this one, we get",
+        r"\ddot\theta = -\frac{g}{7 l}\sin\theta",
+    ),
     (&[r"L = \frac12 m\dot x^2 - \frac12 k x^2"], "For a repulsive spring this becomes", r"m\ddot x = k x"),
     (&[r"a = \frac{v^2}{r}", r"v = \omega r"], "Hence the acceleration, which points inward, is", r"a = -\omega^2 r"),
     (

@@ -88,9 +88,32 @@ impl Checker<'_> {
             };
             return Ok(Finding { message, ..finding });
         }
-        let others = self.solutions_beside(Some(found.coordinate), context);
-        let others: Vec<Solution> = others.into_iter().map(|(_, solution)| solution).collect();
-        solution::check(found, &others, context)
+        let beside = self.solutions_beside(Some(found.coordinate), context);
+        let others: Vec<Solution> = beside.iter().map(|(_, solution)| solution.clone()).collect();
+        let finding = solution::check(found, &others, context)?;
+        // Without a claims file a false solution is found by itself, and with Lagrangians all coordinates move together.
+        if !finding.verdict.holds() || context.options.deduction || self.model.system.is_some() {
+            return Ok(finding);
+        }
+        // What solves the laws with a false solution for another coordinate may be false.
+        let mut sound = Vec::new();
+        let mut unsound = None;
+        for (at, solution) in beside {
+            match self.is_solved_by(&solution, context)? {
+                true => sound.push(solution),
+                false => unsound = unsound.or(Some(at)),
+            }
+        }
+        let Some(at) = unsound else { return Ok(finding) };
+        let alone = solution::check(found, &sound, context)?;
+        Ok(if alone.verdict.holds() { alone } else { self.depends_on_refuted(at, context) })
+    }
+
+    /// The finding on what rests on the solution of a display, which is refuted.
+    fn depends_on_refuted(&self, at: usize, context: &Context<'_>) -> Finding {
+        let number = shown(&self.notes.equations[at]);
+        let message = format!("depends on the solution in ({number}), which is refuted; correct ({number}) first");
+        context.finding(Code::NotDecided, Verdict::Undecided, message)
     }
 
     /// Whether a link may be an orbit, or may hold along a printed solution.
@@ -165,10 +188,7 @@ impl Checker<'_> {
                 Some(false) if context.options.deduction => return Ok(found),
                 // What holds along the right solution need not hold along a wrong one.
                 Some(false) if solution::in_first_order(solution, &others, context)?.is_none() => {
-                    let number = shown(&self.notes.equations[*at]);
-                    let message =
-                        format!("depends on the solution in ({number}), which is refuted; correct ({number}) first");
-                    return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+                    return Ok(self.depends_on_refuted(*at, context));
                 }
                 _ => return Ok(found),
             }

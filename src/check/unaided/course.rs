@@ -290,8 +290,7 @@ impl Course<'_, '_> {
         Ok(checker.without_unreadable_laws(found, None))
     }
 
-    /// Whether the sides of a display contain the same names and nothing that the notes define or that moves. Then it holds, or
-    /// does not, in every case.
+    /// Whether the sides of a display contain the same names, and none of a motion. Then it holds, or does not, in every case.
     fn is_by_itself(&self, at: usize) -> bool {
         let model = self.checker.model;
         let names = |member: &Expr| {
@@ -300,7 +299,11 @@ impl Course<'_, '_> {
             names
         };
         let is_free = |(id, dots): &(SymbolId, u8)| {
-            *dots == 0 && matches!(model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Varying(_) | Meaning::Time))
+            *dots == 0
+                && matches!(
+                    model.meaning(*id),
+                    Some(Meaning::Constant(_) | Meaning::Varying(_) | Meaning::Time | Meaning::Defined(_))
+                )
         };
         self.checker.readings[at].statements.iter().flatten().all(|statement| {
             let all: Vec<_> = statement.members.iter().map(names).collect();

@@ -24,6 +24,9 @@ const MOST_ON_ONE_SIDE: usize = 2;
 /// The fewest symbols, each as often as it stands there, of a correction that is no triviality.
 const FEWEST_SYMBOLS: usize = 4;
 
+/// The largest number that authors leave out, or write twice, by a slip.
+const LARGEST_LOST_FACTOR: u32 = 4;
+
 /// What the correction of a display rests on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Basis {
@@ -241,6 +244,11 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     }
     // Authors lose terms; they do not add terms that do not belong.
     if repair.replacement.trim().is_empty() && left_out.contains(|c: char| c.is_ascii_alphabetic()) {
+        return false;
+    }
+    // Nor do they write a number that is not there, but for the small ones of ½, 2π and 4π.
+    let number = left_out.trim().trim_end_matches("\\,").trim().parse::<u32>();
+    if repair.replacement.trim().is_empty() && number.is_ok_and(|number| number > LARGEST_LOST_FACTOR) {
         return false;
     }
     // sin θ that comes in the place of θ: the display is linearised, and means small angles.

@@ -7,6 +7,7 @@
 //! Σ and lim reach to the end of their term, because authors write what is summed as one term. An integral reaches
 //! to its differential, which must fit the region: `d^3r` for a volume, `d^2r` for an area, `dr` for a line.
 
+use crate::formula::SymbolId;
 use crate::formula::tree::{Excluded, Expr, Index, IndexId, Node};
 use crate::source::{Fault, Span};
 
@@ -61,6 +62,14 @@ impl Reader<'_> {
                 .help(format!("write a Σ for each letter, or only one if {letter} is free")));
         }
         for Over { index, except, within, .. } in overs.into_iter().rev() {
+            let letter = &self.symbols.indices[index.0].letter;
+            let is_about_it = |(id, _): &(SymbolId, u8)| {
+                self.symbols.entry(*id).unread && self.symbols.entry(*id).name.mentions(letter)
+            };
+            if body.symbols().iter().any(is_about_it) {
+                return Err(Fault::unsupported(body.span, format!("nothing says what this is for each {letter}"))
+                    .help("declare the quantity itself, with its index, instead of the formula"));
+            }
             let node = Node::SumOver { index, implied: false, except, within, body: Box::new(body) };
             body = Expr::new(node, span);
         }

@@ -95,7 +95,9 @@ impl Reader<'_> {
                     fault.get_or_insert(unclear(part.span, "a rate may vary with the letter"));
                 } else if is_time && *id != letter && other.varies && !other.steady {
                     fault.get_or_insert(unclear(part.span, "what varies with time has no formula in it here"));
-                } else if *id != letter && other.definition.is_none() && other.derived {
+                } else if *id != letter && other.definition.is_none() && other.derived
+                    || other.unread && other.name.mentions(&entry.name.base)
+                {
                     fault.get_or_insert(unclear(part.span, "nothing says whether this name depends on the letter"));
                 }
             }
