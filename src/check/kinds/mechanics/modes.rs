@@ -15,6 +15,8 @@ use crate::check::judge::identity;
 use crate::check::model::PrintedLagrangian;
 use crate::check::model::claim::Link;
 use crate::check::sample::context::Context;
+use crate::check::sample::outcome::run;
+use crate::check::sample::setting::FEWEST;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
@@ -129,7 +131,11 @@ fn obstacle(matrices: &(Rows, Rows), context: &Context<'_>) -> Result<Option<&'s
     }
     let Some(lagrangian) = lagrangian(context) else { return Ok(None) };
     let context = &Context { on_shell: Some(false), ..context.quick() };
-    let is_refuted = |link: &Link| Ok::<bool, Error>(identity::check(link, context)?.verdict == Verdict::Refuted);
+    // A few states tell 0 from what is not 0, and every suggestion that is tried asks again.
+    let is_refuted = |link: &Link| {
+        let ensemble = context.ensemble(context.mode(false, &[&link.lhs, &link.rhs]), false, FEWEST)?;
+        Ok::<bool, Error>(run(link, &ensemble.states).is_ok_and(|outcome| outcome.failure.is_some()))
+    };
     let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
     for link in without_velocity_forces(&lagrangian, &coordinates, context).into_iter().flatten() {
         let [one, other] = [link.lhs, link.rhs].map(|side| at_zero(side, &coordinates));
