@@ -265,6 +265,8 @@ fn a_function_of_the_time_is_introduced_with_it_and_d_and_e_with_an_index() {
     let rate = |d: &str| verdicts(&moving, &["d = a + b", "x(t) = d t", &format!(r"\frac{{{d} x}}{{{d} t}} = a + b")]);
     assert_eq!(rate(r"\mathrm{d}")[2], Verified);
     assert_eq!(rate("d")[2], Unreadable);
+    let second = r"\frac{\mathrm{d}^2 x}{\mathrm{d} t^2} = 0";
+    assert_eq!(verdicts(&moving, &["d = a + b", "x(t) = d t", second])[2], Verified);
     // A display that begins with e defines it; one that begins with its square says something of the number.
     assert_eq!(verdicts(&moving, &["e = a + b", "c e = a c + b c"]), [Definition, Verified]);
     assert_eq!(verdicts(&moving, &["e^2 = a + b"])[0], Unreadable);

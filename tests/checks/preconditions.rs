@@ -5,12 +5,7 @@ use onshell::check::Verdict;
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{document, equation, numbered, outcome};
-
-/// The verdict on the last display under a claim of its own.
-fn verdict(claims: &Json, displays: &[&str], claim: Json) -> Verdict {
-    outcome(&equation(claims, displays, claim).finding)
-}
+use crate::support::{document, numbered, outcome, seeded, verdict};
 
 /// Coordinates x and y, and a Lagrangian in the notes.
 fn plane() -> Json {
@@ -93,15 +88,24 @@ fn a_number_that_must_not_be_0_is_not_moved_to_0() {
         "constants": { "m_1, m_2, u, v_2": "> 0", "v_1": "any" },
         "laws": { "momentum": "1", "energy": "2" },
     });
-    let momentum = "m_1 u = m_1 v_1 + m_2 v_2";
-    let energy = r"\frac12 m_1 u^2 = \frac12 m_1 v_1^2 + \frac12 m_2 v_2^2";
-    for (printed, expected) in [
-        ("u + v_1 = v_2", Verdict::Verified),
-        (r"v_2 = \frac{2 m_1}{m_1 + m_2} u", Verdict::Verified),
-        (r"v_2 = \frac{m_1}{m_1 + m_2} u", Verdict::Refuted),
-        ("u - v_1 = v_2", Verdict::Refuted),
-    ] {
-        assert_eq!(verdict(&claims, &[momentum, energy, printed], json!({})), expected, "{printed}");
+    let displays = [
+        "m_1 u = m_1 v_1 + m_2 v_2",
+        r"\frac12 m_1 u^2 = \frac12 m_1 v_1^2 + \frac12 m_2 v_2^2",
+        "u + v_1 = v_2",
+        r"v_2 = u + v_1 = \frac{2 m_1}{m_1 + m_2} u",
+        "u - v_1 = v_2",
+        r"v_2 = \frac{m_1}{m_1 + m_2} u",
+    ];
+    for seed in 1..=8 {
+        let found = seeded(seed, &claims, &numbered(&displays), &Registry::standard(), None).expect("a report");
+        let verdicts: Vec<Verdict> = found.equations[2..].iter().map(|item| outcome(&item.finding)).collect();
+        let expected = [Verdict::Verified, Verdict::Verified, Verdict::Refuted, Verdict::Refuted];
+        assert_eq!(
+            verdicts,
+            expected,
+            "seed {seed}: {:?}",
+            found.equations.iter().map(|e| &e.finding.message).collect::<Vec<_>>()
+        );
     }
 }
 

@@ -21,7 +21,7 @@ use crate::check::state::residual;
 use crate::check::state::sampled_state::SampledState;
 
 /// The number of bases after which the search is given up if none of them could be projected.
-const GIVEN_UP: usize = 12;
+const GIVEN_UP: usize = 24;
 
 /// The largest number of Newton steps for one base.
 const MOST_ROUNDS: usize = 30;
@@ -286,18 +286,20 @@ impl<'m> Projection<'m> {
         Ok(None)
     }
 
-    /// Whether a number that must not be 0 was moved to 0 but for rounding: rows that hold with 0 as well cannot tell the two apart.
+    /// Whether a number that must not be 0 was moved to 0 but for rounding: the rows nearly hold with 0 in its place.
     fn is_excluded_zero(&self, base: &[f64], plan: &[(Row, usize)]) -> Result<bool> {
-        let is_tiny = |slot: &usize| base[*slot].abs() < NEAR_ZERO && !self.allows(*slot, 0.0);
-        let tiny: Vec<usize> = plan.iter().map(|(_, slot)| *slot).filter(is_tiny).collect();
-        if tiny.is_empty() {
+        let mut moved = base.to_vec();
+        for (_, slot) in plan.iter().filter(|(_, slot)| base[*slot].abs() < NEAR_ZERO && !self.allows(*slot, 0.0)) {
+            moved[*slot] = 0.0;
+        }
+        if moved == base {
             return Ok(false);
         }
-        let mut at_zero = base.to_vec();
-        tiny.iter().for_each(|slot| at_zero[*slot] = 0.0);
         let rows: Vec<Row> = plan.iter().map(|(row, _)| *row).collect();
-        let state = self.measured(&at_zero)?;
-        Ok(self.values(&state, &rows).is_some_and(|values| values.into_iter().all(residual::vanishes)))
+        let state = self.measured(&moved)?;
+        // The other numbers of the plan were solved for with this one.
+        let nearly_vanishes = |value: RunningError| value.value.abs() <= NEAR_ZERO * value.magnitude;
+        Ok(self.values(&state, &rows).is_some_and(|values| values.into_iter().all(nearly_vanishes)))
     }
 
     /// Whether every hypothesis holds at a state, apart from those that are known to hold.

@@ -104,7 +104,10 @@ impl Reader<'_> {
         }
         let span = numerator.span.to(denominator.span);
         // An upright d is no name.
-        let is_upright = upper.first().is_some_and(|d| matches!(d.layout, Layout::Style(..)));
+        let is_upright = upper.first().is_some_and(|d| match &d.layout {
+            Layout::Scripts { nucleus, .. } => matches!(nucleus.layout, Layout::Style(..)),
+            layout => matches!(layout, Layout::Style(..)),
+        });
         if self.symbols.find(&Name::plain("d")).is_some() && !is_upright {
             return Err(Fault::ambiguous(span, "d may be a differential or the declared symbol")
                 .help("write \\mathrm{d} for the derivative"));
