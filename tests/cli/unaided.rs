@@ -369,7 +369,7 @@ const OTHER_CASES: [(&[&str], &str, &str); 8] = [
     (&[r"L = \frac12 m\dot y^2 - m g y"], "Everything changes sign if\nthe axis points down:", r"m\ddot y = m g"),
     (
         &[r"L = \frac12 m l^2\dot\theta^2 + m g l\cos\theta"],
-        "With the gravity of another body, a seventh of this one, we get",
+        "Where the gravity is $g/7$ we get",
         r"\ddot\theta = -\frac{g}{7 l}\sin\theta",
     ),
     (&[r"L = \frac12 m\dot x^2 - \frac12 k x^2"], "For a repulsive spring this becomes", r"m\ddot x = k x"),
