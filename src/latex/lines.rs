@@ -91,23 +91,65 @@ const BETWEEN: [&str; 22] = [
     "*",
 ];
 
-/// The statements of a display, where each can be read without the others and nothing else stands between them.
-pub fn apart(text: &str, macros: &Macros) -> Option<Vec<Span>> {
+/// What says that the statement after it follows from the one before it.
+const IMPLIES: [&str; 16] = [
+    "\\Rightarrow",
+    "\\implies",
+    "\\Longrightarrow",
+    "\\Leftrightarrow",
+    "\\iff",
+    "\\Longleftrightarrow",
+    "\\therefore",
+    "⇒",
+    "⟹",
+    "⇔",
+    "\\text{so",
+    "\\text{hence",
+    "\\text{thus",
+    "\\text{therefore",
+    "\\text{ so",
+    "\\text{ hence",
+];
+
+/// The end of what says that a text follows from what stands before it, where the text begins with that.
+pub fn implication(text: &str) -> Option<usize> {
+    let start = text.len() - after_separators(text).len();
+    let mark = IMPLIES.iter().find(|mark| text[start..].starts_with(**mark))?;
+    let end = start + mark.len();
+    match mark.starts_with("\\text") {
+        // `\text{so that }`
+        true => text[end..].find('}').map(|close| end + close + 1),
+        false => (!text[end..].starts_with(|c: char| c.is_ascii_alphabetic())).then_some(end),
+    }
+}
+
+/// The statements of a display, where each can be read without the others: the rows, and what stands on either side of an
+/// arrow. In a display that has a number, the rows belong together.
+pub fn apart(text: &str, macros: &Macros, has_number: bool) -> Option<Vec<Span>> {
     let items = typeset_items(text, macros).ok()?;
     let pieces = pieces(&items, false);
     let is_whole = |piece: &Piece<'_>| {
         let says = piece.links.len() > 1 && piece.links.iter().all(|link| !link.items.is_empty());
         piece.fault.is_none() && piece.conditions.is_empty() && piece.constant.is_none() && says
     };
-    let spans: Vec<Span> = pieces.iter().map(Piece::span).collect();
-    // What stands beside a statement on its row often says what is meant by a letter in it.
-    let is_break = |gap: &str| gap.contains(r"\\") && is_separator(gap);
-    let are_apart = spans.windows(2).all(|pair| text.get(pair[0].end..pair[1].start).is_some_and(is_break));
-    (spans.len() > 1 && pieces.iter().all(is_whole) && are_apart).then_some(spans)
+    let divides = |gap: &str| {
+        let implied = implication(gap).is_some_and(|end| after_separators(&gap[end..]).is_empty());
+        implied || !has_number && gap.contains(r"\\") && after_separators(gap).is_empty()
+    };
+    let mut spans: Vec<Span> = Vec::new();
+    for span in pieces.iter().map(Piece::span) {
+        let gap = |last: &Span| text.get(last.end..span.start);
+        match spans.last_mut() {
+            // What stands beside a statement on its row often says what is meant by a letter in it.
+            Some(last) if !gap(last).is_some_and(divides) => *last = last.to(span),
+            _ => spans.push(span),
+        }
+    }
+    (spans.len() > 1 && pieces.iter().all(is_whole)).then_some(spans)
 }
 
-/// Whether a text between statements says nothing of its own.
-fn is_separator(text: &str) -> bool {
+/// A text without what separates statements and says nothing of its own, at its beginning.
+fn after_separators(text: &str) -> &str {
     let mut rest = text.trim_start();
     while !rest.is_empty() {
         let length = rest.strip_prefix("[").and_then(|inner| inner.split_once(']')).filter(|(length, _)| {
@@ -116,11 +158,11 @@ fn is_separator(text: &str) -> bool {
         });
         let Some(after) = BETWEEN.iter().find_map(|mark| rest.strip_prefix(mark)).or(length.map(|(_, after)| after))
         else {
-            return false;
+            return rest;
         };
         rest = after.trim_start();
     }
-    true
+    rest
 }
 
 #[cfg(all(test, feature = "cli"))]

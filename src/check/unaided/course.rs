@@ -15,6 +15,7 @@ use crate::check::model::meaning::Meaning;
 use crate::check::repair::suggest::Search;
 use crate::check::sample::context::Options;
 use crate::check::unaided::gate::{self, Basis};
+use crate::check::unaided::inline;
 use crate::check::unaided::premises::{self, Premise};
 use crate::check::unaided::prose::{self, Announced, Words};
 use crate::check::unaided::scope::Scope;
@@ -25,7 +26,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
 use crate::formula::units::in_si::has_units;
-use crate::formula::{Expr, SymbolId, text};
+use crate::formula::{Expr, Statement, SymbolId, text};
 use crate::notes::claims::Claim;
 
 /// The most relations that a display with a slip is taken to solve.
@@ -164,13 +165,51 @@ impl Course<'_, '_> {
             return;
         }
         // Beside a motion, what is taken for granted is a special case of it or contradicts it.
-        let (id, symbols) = (self.checker.notes.equations[at].id(), self.symbols(at));
-        if let (Some(id), Some(symbols), None) = (id, symbols, &self.checker.model.system) {
-            self.known.push(Premise { at, id: id.to_owned(), symbols });
+        let display = &self.checker.notes.equations[at];
+        let (Some(id), None) = (display.id(), &self.checker.model.system) else { return };
+        let Ok(statements) =
+            self.checker.readings[at].statements.iter().map(Result::as_ref).collect::<Result<Vec<&Statement>, _>>()
+        else {
+            return;
+        };
+        let is_inline = inline::is_inline(self.checker.notes, display);
+        let premise = |part: Option<String>, statements: &[&Statement]| Premise {
+            at,
+            id: id.to_owned(),
+            part,
+            symbols: self.symbols_of(statements),
+            equalities: statements.iter().map(|statement| statement.relations.len()).sum(),
+            is_inline,
+        };
+        let mut new = vec![premise(None, &statements)];
+        if statements.len() > 1 {
+            for statement in statements {
+                let Some(part) = display.text.get(statement.span.start..statement.span.end) else { continue };
+                new.push(premise(Some(part.to_owned()), &[statement]));
+            }
         }
+        // What holds under a condition is no premise.
+        new.retain(|premise| self.checker.hypotheses(&premises::claim(&[premise])).is_ok());
+        self.known.append(&mut new);
+    }
+
+    /// The formulas in the sentences before a display, and before the one before it, which are premises.
+    fn formulas_before(&self, at: usize) -> Vec<usize> {
+        let notes = self.checker.notes;
+        let mut displays = 0;
+        let is_near = |place: &usize| {
+            displays += usize::from(!inline::is_inline(notes, &notes.equations[*place]));
+            displays < 2
+        };
+        let near = (0..at).rev().take_while(is_near);
+        near.filter(|place| inline::is_inline(notes, &notes.equations[*place])).collect()
     }
 
     fn judge(&mut self, at: usize) -> Result<Equation> {
+        // K = ∫ u (dp/du) du says nothing of K where no formula for p is known.
+        if gate::lost_derivative(&self.checker.readings[at], &self.checker.notes.equations[at]) {
+            self.doubtful.extend(self.checker.readings[at].introduced.iter().map(|new| new.symbol));
+        }
         let none = Claim::default();
         let claim = self.checker.assigned[at].unwrap_or(&none);
         let found = self.by_itself(at)?;
@@ -187,8 +226,15 @@ impl Course<'_, '_> {
         let Some(symbols) = self.symbols(at).filter(|_| found.finding.verdict == Verdict::Refuted) else {
             return Ok(gate::as_it_counts(found));
         };
+        // A formula in a sentence is a premise of the next display; it is not judged.
+        if inline::is_inline(self.checker.notes, &self.checker.notes.equations[at]) {
+            self.note_doubt(at);
+            self.take_for_granted(at);
+            return Ok(gate::as_it_counts(found));
+        }
         let origin = self.scope.origin_of(at, self.checker.notes.equations.len());
-        let words = prose::before(self.checker.notes, origin);
+        let mut words = prose::before(self.checker.notes, origin);
+        words.named.extend(self.formulas_before(origin));
         let before: Vec<Premise> = self.known.iter().filter(|premise| premise.at < origin).cloned().collect();
         let sets = premises::sets(&before, &symbols, &words.named);
         let positive = signs::positive(&self.checker.readings[at], &symbols, self.checker.model);
@@ -264,7 +310,8 @@ impl Course<'_, '_> {
     /// Whether a display contains a name whose definition may be wrong.
     fn rests_on_doubt(&self, at: usize) -> bool {
         let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
-        let uses_it = members.flat_map(Expr::symbols).any(|(id, _)| self.doubtful.contains(&id));
+        let mut used = members.flat_map(|member| gate::names(member, self.checker.model));
+        let uses_it = used.any(|id| self.doubtful.contains(&id));
         uses_it || self.other_case && self.named_again(at).is_some()
     }
 
@@ -343,17 +390,20 @@ impl Course<'_, '_> {
 
     /// The symbols that a display relates, if it was read.
     fn symbols(&self, at: usize) -> Option<Vec<SymbolId>> {
+        let statements = self.checker.readings[at].statements.iter().map(|statement| statement.as_ref().ok());
+        Some(self.symbols_of(&statements.collect::<Option<Vec<&Statement>>>()?))
+    }
+
+    /// The symbols that statements relate.
+    fn symbols_of(&self, statements: &[&Statement]) -> Vec<SymbolId> {
+        let members = statements.iter().flat_map(|statement| &statement.members);
         let mut found = Vec::new();
-        for statement in &self.checker.readings[at].statements {
-            for member in &statement.as_ref().ok()?.members {
-                for id in gate::leaves(member, self.checker.model) {
-                    if !found.contains(&id) {
-                        found.push(id);
-                    }
-                }
+        for id in members.flat_map(|member| gate::leaves(member, self.checker.model)) {
+            if !found.contains(&id) {
+                found.push(id);
             }
         }
-        Some(found)
+        found
     }
 
     /// The finding that a display follows from premises, if it does, perhaps only where some constants are positive.
@@ -431,6 +481,7 @@ impl Course<'_, '_> {
 }
 
 fn named(set: &[&Premise]) -> String {
-    let ids: Vec<String> = set.iter().map(|premise| format!("({})", premise.id)).collect();
+    let mut ids: Vec<String> = set.iter().map(|premise| format!("({})", premise.id)).collect();
+    ids.dedup();
     ids.join(", ")
 }

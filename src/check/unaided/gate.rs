@@ -106,6 +106,14 @@ fn is_foreign(id: SymbolId, model: &Model) -> bool {
 
 /// The symbols of a formula that no formula defines.
 pub(super) fn leaves(formula: &Expr, model: &Model) -> Vec<SymbolId> {
+    let mut found = names(formula, model);
+    found.retain(|id| !matches!(model.meaning(*id), Some(Meaning::Defined(_))));
+    found.dedup();
+    found
+}
+
+/// The symbols of a formula, and those of the formulas that define them.
+pub(super) fn names(formula: &Expr, model: &Model) -> Vec<SymbolId> {
     let (mut found, mut at) = (formula.symbols().into_iter().map(|(id, _)| id).collect::<Vec<_>>(), 0);
     while let Some(next) = found.get(at).copied() {
         at += 1;
@@ -117,8 +125,6 @@ pub(super) fn leaves(formula: &Expr, model: &Model) -> Vec<SymbolId> {
             }
         }
     }
-    found.retain(|id| !matches!(model.meaning(*id), Some(Meaning::Defined(_))));
-    found.dedup();
     found
 }
 

@@ -1,8 +1,10 @@
-//! The formulas in sentences that define a name: "where $\omega^2 = k/m$", "put $2\gamma = b/m$".
+//! The formulas in sentences that define a name or relate known ones: "where $\omega^2 = k/m$", "put $2\gamma = b/m$",
+//! "the adiabats give $V_B/V_A = V_C/V_D$".
 //!
 //! Such a formula becomes a display of the notes while they are judged, and is left out of the report: it is no display of the
-//! author's. Only what the words announce is taken. A condition ("if $x = x_0$"), a value and a name for a name are none, and
-//! neither is a formula of a name that displays further back use: it may be a special case.
+//! author's. A definition is taken only if the words announce it. A condition ("if $x = x_0$"), a value and a name for a name
+//! are none, and neither is a formula of a name that displays further back use: it may be a special case. What relates names
+//! that displays have is a premise of the next display. It also shows that a name has another formula from there on.
 
 use crate::formula::symbols::Name;
 use crate::latex::Macros;
@@ -30,13 +32,16 @@ const ANNOUNCE: [&str; 14] = [
 ];
 
 /// Words after which a formula is a condition or a case.
-const CONDITION: [&str; 15] = [
+const CONDITION: [&str; 14] = [
     "if", "when", "whenever", "for", "at", "as", "until", "unless", "near", "limit", "case", "assuming", "suppose",
-    "initial", "because",
+    "initial",
 ];
 
 /// The most bytes before a formula that are taken for its words.
 const LONGEST: usize = 300;
+
+/// The fewest names of a formula that is a relation, and no value or special case.
+const FEWEST_RELATED: usize = 3;
 
 /// The most words between the one that announces a definition and the formula.
 const MOST_WORDS: usize = 8;
@@ -53,20 +58,35 @@ pub(super) fn with_definitions(notes: &Notes, displays: Vec<Display>, macros: &M
     let mut defined: Vec<String> = Vec::new();
     for span in &notes.inline {
         let Some(display) = formula(notes, *span) else { continue };
-        let is_sum = || is_sum(&display, &usages, macros) && !follows_condition(notes, *span);
-        if !is_announced(notes, *span) && !is_sum() {
-            continue;
-        }
         let at = found.iter().position(|other| other.span.start > span.start).unwrap_or(found.len());
         let authors = found[..at].iter().filter(|display| !is_inline(notes, display)).count();
-        let Some(name) = name(&display, macros).filter(|name| !defined.contains(name)) else { continue };
+        let is_sum = || is_sum(&display, &usages, macros) && !follows_condition(notes, *span);
+        let name = name(&display, macros).filter(|name| !defined.contains(name));
         let is_free = |usage: &Usage| usage.introduced.is_none() && usage.first + 1 >= authors;
-        if usages.iter().find(|usage| usage.name.to_string() == name).is_some_and(is_free) {
+        let defines = |name: &String| {
+            (is_announced(notes, *span) || is_sum())
+                && usages.iter().find(|usage| usage.name.to_string() == *name).is_some_and(is_free)
+        };
+        if let Some(name) = name.filter(defines) {
             defined.push(name);
+            found.insert(at, display);
+        } else if relates(&display, (&usages, authors), macros) && !follows_condition(notes, *span) {
             found.insert(at, display);
         }
     }
     found
+}
+
+/// Whether a formula relates several names that displays before it have, or that no display gives a formula.
+fn relates(display: &Display, (usages, authors): (&[Usage], usize), macros: &Macros) -> bool {
+    let names = names_of(std::slice::from_ref(display), macros);
+    let is_known = |name: &Usage| {
+        let used = usages.iter().find(|usage| usage.name == name.name);
+        used.is_some_and(|usage| usage.first < authors || usage.introduced.is_none())
+    };
+    let first = names.iter().find(|name| name.introduced.is_some());
+    let is_used = |name: &Usage| usages.iter().any(|usage| usage.name == name.name && usage.first < authors);
+    names.len() >= FEWEST_RELATED && names.iter().all(is_known) && first.is_none_or(is_used)
 }
 
 /// The formula in a sentence as a display, if it is one equality.

@@ -35,7 +35,10 @@ pub(super) fn apart(checker: &Checker<'_>, first: usize, found: &[Equation]) -> 
             continue;
         }
         for link in 1..statement.relations.len() {
+            // Where a chain ends with "= 0", the author asks when that is so.
+            let is_condition = statement.members[link + 1].is_null();
             if apart.origins.len() < MOST
+                && !is_condition
                 && let Some(display) = alone(&checker.notes.equations[at], statement, link)
             {
                 apart.notes.equations.push(display);

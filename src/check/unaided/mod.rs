@@ -272,15 +272,18 @@ fn with_ids(notes: &Notes) -> Notes {
     notes
 }
 
-/// The statements of a display without a number, as displays: each row has a verdict of its own.
+/// The statements of a display as displays: each row of one without a number has a verdict of its own, and so has what stands
+/// on either side of an arrow. The last of them has the number.
 fn statements_of(display: &Display, notes: &Notes, macros: &Macros) -> Vec<Display> {
-    let spans = match display.id() {
-        None if display.parts.len() < 2 => lines::apart(&display.text, macros),
+    let spans = match display.parts.len() {
+        0 | 1 => lines::apart(&display.text, macros, display.id().is_some()),
         _ => None,
     };
     let Some(spans) = spans else { return vec![display.clone()] };
     let last = spans.len() - 1;
     let one = |(at, span): (usize, &Span)| {
+        // An arrow at the beginning is a word about the first statement.
+        let span = if at == 0 { Span::new(0, span.end) } else { *span };
         let body = span.shifted(display.body.start);
         let start = if at == 0 { display.span.start } else { body.start };
         let end = if at == last { display.span.end } else { body.end };
@@ -290,6 +293,8 @@ fn statements_of(display: &Display, notes: &Notes, macros: &Macros) -> Vec<Displ
             body,
             parts: vec![body],
             text: display.text[span.start..span.end].to_owned(),
+            number: display.number.clone().filter(|_| at == last),
+            labels: display.labels.iter().filter(|_| at == last).cloned().collect(),
             automatic: display
                 .automatic
                 .get(at)

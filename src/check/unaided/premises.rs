@@ -2,13 +2,13 @@
 //!
 //! A display that does not follow and is not wrong is taken for granted, and so it is a premise of what comes after it. A
 //! statement is checked with a few small sets of premises, the likeliest first. A set is worth a check only if it can
-//! eliminate what the statement does not contain: n relations eliminate at most n − 1 symbols and leave something to say.
+//! eliminate what the statement does not contain: n equalities eliminate at most n − 1 symbols and leave something to say.
 
 use crate::formula::SymbolId;
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
 
-/// The number of the last premises from which sets are made.
+/// The number of the last displays from which sets are made.
 const RECENT: usize = 8;
 
 /// The most sets of premises that are tried.
@@ -24,8 +24,14 @@ pub(super) struct Premise {
     pub at: usize,
     /// The name of its display.
     pub id: String,
+    /// The statement of the display, where it is one of several: its LaTeX.
+    pub part: Option<String>,
     /// The symbols that it relates; those that a formula defines are replaced by what the formula contains.
     pub symbols: Vec<SymbolId>,
+    /// The number of its equalities.
+    pub equalities: usize,
+    /// Whether it is a formula in a sentence.
+    pub is_inline: bool,
 }
 
 /// The sets of premises that a statement with these symbols may follow from. `named` are the displays that the prose names.
@@ -36,15 +42,19 @@ pub(super) fn sets<'p>(known: &'p [Premise], symbols: &[SymbolId], named: &[usiz
     if !by_name.is_empty() && by_name.len() <= RECENT {
         found.push(by_name.clone());
     }
-    let mut recent: Vec<&Premise> = known.iter().rev().take(RECENT).collect();
-    recent.extend(by_name.into_iter().filter(|named| known.iter().rev().take(RECENT).all(|other| other != *named)));
+    let mut displays: Vec<usize> =
+        known.iter().filter(|premise| !premise.is_inline).map(|premise| premise.at).collect();
+    displays.dedup();
+    let last = &displays[displays.len().saturating_sub(RECENT)..];
+    let is_recent = |premise: &Premise| last.contains(&premise.at) || named.contains(&premise.at);
+    let recent: Vec<&Premise> = known.iter().rev().filter(|premise| is_recent(premise)).collect();
     let mut sets: Vec<Vec<usize>> = (0..recent.len()).map(|at| vec![at]).collect();
     // What may drop out of a set without being eliminated, as the magnetic field does from the power.
     let mut less_likely = Vec::new();
     for _ in 0..MOST {
         for set in &sets {
             let chosen: Vec<&Premise> = set.iter().map(|at| recent[*at]).collect();
-            if !chosen.iter().any(|premise| shares(premise)) || found.contains(&chosen) {
+            if !chosen.iter().any(|premise| shares(premise)) || found.contains(&chosen) || says_twice(&chosen) {
                 continue;
             }
             match surplus(&chosen, symbols) {
@@ -71,7 +81,7 @@ pub(super) fn for_slips<'s, 'p>(sets: &'s [Vec<&'p Premise>]) -> impl Iterator<I
     sets.first().into_iter().chain(most)
 }
 
-/// The number of symbols that premises cannot eliminate to leave a relation between these symbols; `None`, if one of the
+/// The number of symbols that the equalities of premises cannot eliminate to leave a relation between these symbols; `None`, if one of the
 /// premises has nothing to do with the others.
 fn surplus(premises: &[&Premise], symbols: &[SymbolId]) -> Option<usize> {
     let mut others: Vec<SymbolId> =
@@ -84,17 +94,25 @@ fn surplus(premises: &[&Premise], symbols: &[SymbolId]) -> Option<usize> {
                 other != at && premise.symbols.iter().any(|symbol| beside.symbols.contains(symbol))
             })
     });
-    connected.then(|| (others.len() + 1).saturating_sub(premises.len()))
+    let equalities: usize = premises.iter().map(|premise| premise.equalities).sum();
+    connected.then(|| (others.len() + 1).saturating_sub(equalities))
+}
+
+/// Whether a display and a statement of it are both among premises.
+fn says_twice(premises: &[&Premise]) -> bool {
+    let is_whole = |at: usize| premises.iter().any(|premise| premise.at == at && premise.part.is_none());
+    premises.iter().any(|premise| premise.part.is_some() && is_whole(premise.at))
 }
 
 /// The claim that a display follows from premises.
 pub(super) fn claim(premises: &[&Premise]) -> Claim {
-    let throughout = premises.iter().map(|premise| Spanned::new(premise.id.clone(), Span::default())).collect();
+    let said = |premise: &&Premise| Spanned::new(premise.part.as_ref().unwrap_or(&premise.id).clone(), Span::default());
+    let throughout = premises.iter().map(said).collect();
     Claim { throughout, ..Claim::default() }
 }
 
 impl PartialEq for Premise {
     fn eq(&self, other: &Premise) -> bool {
-        self.at == other.at
+        self.at == other.at && self.part == other.part
     }
 }

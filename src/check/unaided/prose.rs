@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::latex::lines::implication;
 use crate::notes::Notes;
 
 use crate::check::unaided::inline::is_inline;
@@ -150,6 +151,11 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
     let text = &notes.source.text;
     let all = without_comments(&text[range(notes, at)]);
     let all = all.as_str();
+    // `A \Rightarrow B`: what is supposed for A is no word about B.
+    if [all, &notes.equations[at].text].into_iter().any(|text| implication(text).is_some()) {
+        let other_case = at > 0 && further > 0 && looking_back(notes, at - 1, further - 1).other_case;
+        return Words { announced: Announced::Consequence, other_case, named: Vec::new(), connected: true };
+    }
     // Authors break lines anywhere.
     let words: Vec<String> = last_sentence(all).split_whitespace().map(str::to_lowercase).collect();
     let sentence = words.join(" ") + " ";

@@ -4,11 +4,13 @@
 //! it costs ten times as much as three states at which the premises hold.
 
 use crate::Result;
+use crate::formula::{Expr, Relation};
 use crate::notes::claims::Claim;
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
+use crate::check::model::claim::Link;
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::{Context, Options};
 use crate::check::state::residual::{self, Point};
@@ -17,7 +19,8 @@ use crate::check::trial::text_trial::tested_links;
 /// The number of states.
 const STATES: usize = 3;
 
-/// Whether a display may follow from the hypotheses of a claim: there are states at which these hold, and it fails at none.
+/// Whether a display may follow from the hypotheses of a claim: there are states at which these hold, it fails at none, and its
+/// sides are not 0 at all of them.
 ///
 /// # Errors
 /// For a claim that does not fit the notes.
@@ -46,6 +49,17 @@ pub(super) fn may_follow(checker: &Checker<'_>, at: usize, claim: &Claim) -> Res
         let fails =
             |link| ensemble.states.iter().any(|state| matches!(residual::test(link, state), Ok(Point::Fails(_))));
         if ensemble.states.is_empty() || links.iter().any(fails) {
+            return Ok(false);
+        }
+        // Premises such as r\dot r = h\dot r hold at rest too, where nothing moves and any display is 0 = 0.
+        let is_zero = |link: &Link| {
+            let zero = Expr::integer(0, link.lhs.span);
+            let link = Link { rhs: zero, relation: Relation::Equal, ..link.clone() };
+            !link.lhs.is_null()
+                && ensemble.states.iter().all(|state| matches!(residual::test(&link, state), Ok(Point::Holds(_))))
+        };
+        let has_zero = |link: &&Link| link.rhs.is_null() || link.lhs.is_null();
+        if links.iter().any(|link| !has_zero(&link) && is_zero(link)) {
             return Ok(false);
         }
     }

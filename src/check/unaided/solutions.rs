@@ -41,7 +41,7 @@ pub(super) fn solved<'p>(
     let name = model.name(unknown);
     let is_about =
         |premise: &&Premise| premise.symbols.contains(&unknown) && !has_rate(&readings[premise.at], unknown, model);
-    let about = known.iter().rev().filter(is_about);
+    let about = known.iter().rev().filter(|premise| premise.part.is_none()).filter(is_about);
     about
         .take(MOST)
         .map(|of| {
