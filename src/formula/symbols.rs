@@ -183,10 +183,23 @@ pub struct Symbols {
 impl Symbols {
     /// A name in a formula, or in the formulas of its names, that stands for a formula which is not read.
     pub fn unread_in(&self, formula: &Expr) -> Option<SymbolId> {
-        formula.symbols().into_iter().find_map(|(id, _)| {
-            let entry = self.entry(id);
-            if entry.unread { Some(id) } else { entry.definition.as_ref().and_then(|inner| self.unread_in(inner)) }
-        })
+        // A text that is only tried may define a name by itself.
+        let own = formula.symbols().into_iter().map(|(id, _)| id);
+        let mut all = own.flat_map(|id| std::iter::once(id).chain(self.variables_of(id).into_iter().map(|(id, _)| id)));
+        all.find(|id| self.entry(*id).unread)
+    }
+
+    /// The names in the formula that defines a symbol, with their dots, and those in the formulas of these names.
+    pub fn variables_of(&self, id: SymbolId) -> Vec<(SymbolId, u8)> {
+        let own = |id: SymbolId| self.entry(id).definition.iter().flat_map(|formula| formula.symbols()).collect();
+        let (mut found, mut at): (Vec<(SymbolId, u8)>, usize) = (own(id), 0);
+        while let Some((next, _)) = found.get(at).copied() {
+            at += 1;
+            let inner: Vec<(SymbolId, u8)> = own(next);
+            let new = inner.into_iter().filter(|one| !found.contains(one)).collect::<Vec<_>>();
+            found.extend(new);
+        }
+        found
     }
 
     /// An empty table that rejects unknown names. The independent variable is `t`.

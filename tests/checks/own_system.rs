@@ -142,3 +142,74 @@ fn a_singular_mass_matrix_is_told_with_its_condition_number() {
     let wrong = document(&claims, &numbered(&[r"p_x = m (\dot x - \dot y)"]), &registry(), None).unwrap();
     assert!(matches!(wrong.equations[0].finding.verdict, Refuted | Undecided));
 }
+
+/// A particle near the speed of light on a spring, with its own Lagrangian in the notes.
+fn fast() -> Json {
+    json!({
+        "coordinates": { "x": "any" },
+        "constants": { "m, c, k": "> 0" },
+        "means": { "L": "Lagrangian" },
+    })
+}
+
+const FAST: [&str; 4] = [
+    r"L(x, \dot x) = -m c^2 \sqrt{1 - \frac{\dot x^2}{c^2}} - \frac12 k x^2",
+    r"H(x, p) = \sqrt{m^2 c^4 + p^2 c^2} + \frac12 k x^2",
+    r"\dot x = \frac{p}{\sqrt{m^2 + p^2/c^2}}",
+    r"\frac{d}{dt} H(x, p) = 0",
+];
+
+#[test]
+fn a_state_without_a_lagrangian_says_nothing_of_the_system() {
+    let found = document(&fast(), &numbered(&FAST), &Registry::standard(), None).unwrap();
+    assert!(found.equations.iter().all(|equation| equation.ok), "{:#?}", found.equations);
+    for (place, printed, slip) in [(2, "m^2 c^4", "m^2 c^2"), (3, "m^2 + p", "m^2 - p"), (3, "p^2/c^2", "p/c^2")] {
+        let typo = FAST[place - 1].replacen(printed, slip, 1);
+        let mut notes = FAST;
+        notes[place - 1] = &typo;
+        let found = document(&fast(), &numbered(&notes), &Registry::standard(), Some(&place.to_string())).unwrap();
+        assert_eq!(found.equations[0].finding.verdict, Refuted, "{typo}: {}", found.equations[0].finding.message);
+    }
+}
+
+#[test]
+fn a_list_in_parentheses_is_what_a_name_depends_on() {
+    let claims = json!({
+        "coordinates": { "x, y": "any" },
+        "constants": { "m, k": "> 0" },
+        "means": { "L": "Lagrangian" },
+    });
+    let notes = [
+        r"V = \frac12 k x^2 y^2",
+        r"L = \frac12 m (\dot x^2 + \dot y^2) - V(x, y)",
+        r"H(x, y, p_x, p_y) = \frac{p_x^2 + p_y^2}{2m} + V",
+        r"m \ddot x = -k x y^2",
+    ];
+    let found = |notes: &[&str]| document(&claims, &numbered(notes), &Registry::standard(), None);
+    let right = found(&notes).unwrap();
+    assert!(right.equations.iter().all(|equation| equation.ok), "{:#?}", right.equations);
+    let wrong = found(&[notes[0], notes[1], &notes[2].replace("+ V", "- V"), notes[3]]).unwrap();
+    assert_eq!(wrong.equations[2].finding.verdict, Refuted);
+    // With other arguments, or in another order, it may be another value.
+    for arguments in ["(y, x)", "(x, m)", "(x, x)"] {
+        let other = found(&[notes[0], &notes[1].replace("(x, y)", arguments), notes[2], notes[3]]);
+        assert!(other.is_err(), "{arguments}");
+    }
+}
+
+#[test]
+fn a_name_from_its_own_formula_is_its_argument() {
+    let claims = json!({
+        "coordinates": { "x": "any" },
+        "constants": { "m, k": "> 0" },
+        "means": { "L": "Lagrangian" },
+    });
+    let found = |potential: &str| {
+        let lagrangian = format!(r"L = \frac12 m \dot x^2 - {potential}");
+        let notes = [r"V = \frac12 k x^2", &lagrangian, r"m \ddot x = -k x"];
+        document(&claims, &numbered(&notes), &Registry::standard(), None)
+    };
+    assert!(found("V(x)").unwrap().equations.iter().all(|equation| equation.ok));
+    // What V does not contain may be a factor.
+    assert!(found("V(m)").is_err() && found(r"k(x)").is_err());
+}

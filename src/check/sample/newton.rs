@@ -7,10 +7,11 @@ use nalgebra::{DMatrix, DVector};
 use num_dual::{Dual, Dual64};
 
 use crate::Result;
-use crate::formula::Relation;
+use crate::formula::{Relation, Value};
 use crate::scalar::RunningError;
 
 use crate::check::model::claim::Hypothesis;
+use crate::check::model::meaning::Meaning;
 use crate::check::model::order::order;
 use crate::check::model::state_cache::Row;
 use crate::check::sample::hypothesis_residual::{THROUGHOUT, difference};
@@ -63,7 +64,7 @@ impl<'m> Projection<'m> {
             return Ok(None);
         };
         self.record.moved.1 += 1;
-        Ok(self.accepts(&state, &obeys).then_some((base, state)))
+        Ok((self.accepts(&state, &obeys) && has_a_lagrangian(&state)).then_some((base, state)))
     }
 
     /// The hypotheses of which all rows vanish.
@@ -324,5 +325,20 @@ impl<'m> Projection<'m> {
             None => self.record.accepted += 1,
         }
         unmet.is_none()
+    }
+}
+
+/// Whether the Lagrangian or Hamiltonian that the notes print has a value at a state. Where it has none, as beyond the speed
+/// of light, there is no state of the system, and nothing that is said of the system is tested.
+fn has_a_lagrangian(state: &SampledState<'_, RunningError>) -> bool {
+    let model = state.model();
+    let lagrangian = model.printed_lagrangian.as_ref().map(|printed| &printed.lagrangian);
+    let name = lagrangian.or(model.printed_hamiltonian.as_ref().map(|printed| &printed.hamiltonian));
+    let Some((id, _)) = name.and_then(|name| model.symbols.find(name)) else { return true };
+    match model.meaning(id) {
+        Some(Meaning::Defined(formula)) => {
+            !matches!(state.now(formula, &[]), Ok(Value::Scalar(value)) if value.value.is_nan())
+        }
+        _ => true,
     }
 }

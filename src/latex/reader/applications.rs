@@ -5,6 +5,8 @@
 //! | contents | reading |
 //! | --- | --- |
 //! | the time after a symbol that varies, or the declared argument | the symbol itself |
+//! | a list of the coordinates, velocities and momenta of the motion: `H(q, p)` | the symbol itself |
+//! | one of the names in the formula that defines the symbol: `V(x)` | the symbol itself |
 //! | a lone name or a number, with a power, after a declared constant | a product, `m (r)^2` |
 //! | else a lone name, a number, a list | rejected: `f(x)`, `x(0)`, `H(q, p)` |
 //! | the time in a sum, after a symbol that varies or is not declared | rejected: `x(t + T)` |
@@ -167,6 +169,54 @@ impl Reader<'_> {
         self.is_time_in_parentheses(item) && entry.varies
             || entry.argument.as_ref().is_some_and(|argument| is_lone(item, argument))
             || self.is_a_coordinate_by_another(item, id)
+            || self.are_what_it_depends_on(item, id)
+    }
+
+    /// Whether the names in parentheses are what a symbol depends on, so that it stands for its value there. A list cannot be
+    /// a factor, and nobody multiplies a name by one from its own formula in this way: `V(x)` after V = k x²/2.
+    ///
+    /// In a list each kind of variable has the order of the coordinates. With K = x² y, K(y, x) may be another value of K.
+    fn are_what_it_depends_on(&self, item: &Item, id: SymbolId) -> bool {
+        let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+        let entry = self.symbols.entry(id);
+        let own = self.symbols.variables_of(id);
+        if self.symbols.open || !entry.arguments.is_empty() || own.is_empty() && !entry.derived {
+            return false;
+        }
+        let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
+        let mut given: Vec<(SymbolId, u8)> = Vec::new();
+        let mut has_time = false;
+        let arguments: Vec<&[Item]> = inside.split(is_comma).collect();
+        for argument in &arguments {
+            let mut names = argument.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+            let (Some(only), None) = (names.next(), names.next()) else { return false };
+            let Some((name, dots)) = self.lone_name(only) else { return false };
+            if Some(&name) == self.symbols.time.as_ref() && dots == 0 && !has_time {
+                has_time = true;
+                continue;
+            }
+            match self.symbols.find(&name) {
+                Some((other, indices)) if indices.is_empty() && other != id => given.push((other, dots)),
+                _ => return false,
+            }
+        }
+        let depends = |(other, dots): &(SymbolId, u8)| own.contains(&(*other, *dots));
+        if let ([only], 1) = (given.as_slice(), arguments.len()) {
+            return depends(only) && self.symbols.entry(only.0).varies;
+        }
+        let place = |(other, dots): &(SymbolId, u8)| {
+            let is_momentum = |names: &[SymbolId]| *dots == 0 && names.contains(other);
+            let of = |(q, names): &(SymbolId, Vec<SymbolId>)| q == other && *dots <= 1 || is_momentum(names);
+            let at = self.symbols.canonical.iter().position(of)?;
+            let kind = if self.symbols.canonical[at].0 == *other { *dots } else { 2 };
+            Some((kind, at))
+        };
+        let Some(places) = given.iter().map(place).collect::<Option<Vec<(u8, usize)>>>() else { return false };
+        let in_order = |kind: u8| {
+            let of_kind: Vec<usize> = places.iter().filter(|place| place.0 == kind).map(|place| place.1).collect();
+            of_kind.is_sorted_by(|a, b| a < b)
+        };
+        (entry.derived || given.iter().any(depends)) && (0..=2).all(in_order)
     }
 
     /// Whether one coordinate stands in parentheses after another: `r(\phi)` is an orbit, and nobody writes a product so.
@@ -231,19 +281,12 @@ impl Reader<'_> {
         let span = span.to(fence.span);
         let is_comma = |item: &&Item| matches!(item.layout, Layout::Other(',' | ';'));
         let is_list = inside.iter().any(&is_comma);
-        if inside.iter().all(|item| self.lone_name(item).is_some() || is_comma(item)) && (inside.len() == 1 || is_list)
+        if let [only] = inside.as_slice()
+            && let Some((argument, dots)) = self.lone_name(only)
         {
-            let arguments: Vec<String> = inside
-                .iter()
-                .filter_map(|item| self.lone_name(item))
-                .map(|(name, dots)| names::with_dots(&name, dots).unwrap_or(name).to_string())
-                .collect();
-            let arguments = arguments.join(", ");
-            return Err(Fault::ambiguous(
-                span,
-                format!("{name}({arguments}) may be a function of {arguments} or a product"),
-            )
-            .help("for a product, remove the parentheses"));
+            let argument = names::with_dots(&argument, dots).unwrap_or(argument);
+            let message = format!("{name}({argument}) may be a function of {argument} or a product");
+            return Err(Fault::ambiguous(span, message).help("for a product, remove the parentheses"));
         }
         if is_list {
             return Err(Fault::unsupported(span, format!("{name}(…) has several arguments, which is not supported"))
