@@ -326,3 +326,27 @@ fn a_step_by_algebra_from_what_contradicts_the_problem_is_carried() {
     // The twin: another value follows from nothing before it.
     assert_eq!(last("mark-algebra-wrong", "u_2 = \\frac{v}{7}"), "wrong");
 }
+
+#[test]
+fn a_false_line_whose_formula_would_define_a_name_by_itself_ends_no_check() {
+    let problem = (
+        "$$ L = \\frac12 m R^2 (\\dot\\theta^2 + \\Omega^2 \\sin^2\\theta) + m g R \\cos\\theta \\tag{1} $$\n\n\
+         $$ \\ddot\\theta = \\left( \\Omega^2 \\cos\\theta - \\frac gR \\right) \\sin\\theta \\tag{2} $$\n\n\
+         $$ \\cos\\theta_0 = \\frac{g}{R \\Omega^2} \\tag{3} $$\n\n\
+         $$ \\omega^2 = \\frac gR - \\Omega^2 \\tag{4} $$\n",
+        r#"{ "notes": "p.md", "coordinates": { "\\theta": "angle" },
+            "constants": { "m, R, g, \\Omega": "> 0", "\\theta_0": "(0, \\pi/2)" },
+            "means": { "L": "Lagrangian", "\\omega": "normal frequency" },
+            "equations": { "3": { "equilibrium": true, "at": { "\\theta": "\\theta_0" } } } }"#,
+    );
+    // The problem's ω is a frequency of its own, and here it is the rate of the hoop.
+    let before = "$$ L = \\frac12 ma^2\\dot\\varphi^2 + \\frac12 ma^2\\omega^2\\sin^2\\varphi + mga\\cos\\varphi $$\n\n\
+                  $$ \\ddot\\varphi = \\omega^2\\sin\\varphi\\cos\\varphi - \\frac{g}{a}\\sin\\varphi $$\n\n\
+                  $$ \\cos\\varphi_0 = \\frac{g}{a\\omega^2} $$\n\n\
+                  $$ \\ddot\\varphi + \\left(\\frac{g}{a} - \\omega^2\\right)\\varphi = 0 $$\n\n";
+    let all = |name: &str, last: &str| marks(name, problem, &format!("{before}$$ {last} $$\n"));
+    assert!(all("mark-circular", "\\nu^2 = \\frac{g}{a} - \\omega^2").len() >= 5);
+    // The twin: the sum of the two is no frequency.
+    let wrong = all("mark-circular-wrong", "\\nu^2 = \\frac{g}{a} + \\omega^2");
+    assert!(wrong.len() >= 5 && wrong[4] != "right", "{wrong:?}");
+}

@@ -182,6 +182,25 @@ impl Model {
         expr.symbols().iter().any(|(id, _)| self.symbol_depends_on(*id, symbols))
     }
 
+    /// Whether a name is defined by itself, directly or through other definitions. It ends for any definitions.
+    pub(crate) fn is_defined_by_itself(&self, id: SymbolId) -> bool {
+        let mut seen = Vec::new();
+        let mut next = vec![id];
+        while let Some(name) = next.pop() {
+            let Some(Meaning::Defined(formula)) = self.meaning(name) else { continue };
+            for (other, _) in formula.symbols() {
+                if other == id {
+                    return true;
+                }
+                if !seen.contains(&other) {
+                    seen.push(other);
+                    next.push(other);
+                }
+            }
+        }
+        false
+    }
+
     /// Whether a formula contains the time, through definitions too.
     pub(crate) fn contains_time(&self, formula: &Expr) -> bool {
         formula.symbols().iter().any(|(id, _)| match self.meaning(*id) {

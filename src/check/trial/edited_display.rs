@@ -33,6 +33,10 @@ impl Checker<'_> {
         if reading.statements.iter().any(std::result::Result::is_err) {
             return None;
         }
+        // The other text may use a name that stands for the one that it defines. Then neither has a value.
+        if model.symbols.iter().any(|(id, _)| model.is_defined_by_itself(id)) {
+            return None;
+        }
         let mut readings = self.readings.to_vec();
         readings[at] = reading;
         if !formulas.is_empty() {
