@@ -40,7 +40,7 @@ fn a_condition_a_value_and_a_special_case_in_a_sentence_define_nothing() {
         r"If $\omega_0^2 = k/m$ and $2\gamma = b/m$, then",
         r"For $\omega_0 = 2$, and with $\gamma = 3$,",
         r"With $\omega_0 = k$ at first,",
-        r"Many find $\omega_0^2 = k/m$, which is right.",
+        r"Many find $\omega_0^2 = k$, which is right.",
     ] {
         let notes = MOTOR.replace(r"Put $\omega_0^2 = k/m$ and $2\gamma = b/m$. In these letters", said);
         let (found, inferred) = verdicts("condition", &notes);

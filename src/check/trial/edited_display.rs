@@ -14,6 +14,7 @@ use crate::check::document::printed_lagrangian;
 use crate::check::document::reading::for_each;
 use crate::check::document::reread::{defined, forms_derivatives};
 use crate::check::model::Model;
+use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Options;
 
 impl Checker<'_> {
@@ -34,7 +35,12 @@ impl Checker<'_> {
             return None;
         }
         // The other text may use a name that stands for the one that it defines. Then neither has a value.
-        if model.symbols.iter().any(|(id, _)| model.is_defined_by_itself(id)) {
+        let is_edited = |id: &SymbolId| match (model.meaning(*id), self.model.meaning(*id)) {
+            (Some(Meaning::Defined(new)), Some(Meaning::Defined(old))) => new != old,
+            (new, _) => matches!(new, Some(Meaning::Defined(_))),
+        };
+        let mut edited = model.symbols.iter().map(|(id, _)| id).filter(is_edited);
+        if edited.any(|id| model.is_defined_by_itself(id)) {
             return None;
         }
         let mut readings = self.readings.to_vec();

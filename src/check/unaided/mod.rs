@@ -283,7 +283,8 @@ fn statements_of(display: &Display, notes: &Notes, macros: &Macros) -> Vec<Displ
     let last = spans.len() - 1;
     let one = |(at, span): (usize, &Span)| {
         // An arrow at the beginning is a word about the first statement.
-        let span = if at == 0 { Span::new(0, span.end) } else { *span };
+        let has_arrow = at == 0 && lines::implication(&display.text).is_some();
+        let span = if has_arrow { Span::new(0, span.end) } else { *span };
         let body = span.shifted(display.body.start);
         let start = if at == 0 { display.span.start } else { body.start };
         let end = if at == last { display.span.end } else { body.end };
