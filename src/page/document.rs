@@ -9,6 +9,7 @@ use crate::check::{Document, Equation};
 use crate::lecture::Beside;
 use crate::notes::markdown::front_matter;
 use crate::notes::{Display, Kind, MacroDefinition, Notes};
+use crate::source::Span;
 
 /// The displays of a document and the macros of its author.
 pub(super) fn displays(document: &Document) -> (Vec<Display>, Vec<MacroDefinition>) {
@@ -19,8 +20,23 @@ pub(super) fn displays(document: &Document) -> (Vec<Display>, Vec<MacroDefinitio
 /// The display of an equation.
 pub(super) fn display_of<'d>(item: &Equation, displays: &'d [Display]) -> Option<&'d Display> {
     let is_it = |display: &&Display| display.line == item.line && display.id() == Some(item.id.as_str());
-    // Without a claims file the equations have names that are not in the notes.
-    displays.iter().find(is_it).or_else(|| displays.iter().find(|display| display.line == item.line))
+    // Without a claims file the equations have names that are not in the notes, and a display may have several.
+    let is_there = |display: &&Display| {
+        let lines = display.line..=display.line + display.text.matches('\n').count() + 2;
+        lines.contains(&item.line) && display.text.contains(item.latex.trim())
+    };
+    let by_line = || displays.iter().find(|display| display.line == item.line);
+    displays.iter().find(is_it).or_else(|| displays.iter().rfind(is_there)).or_else(by_line)
+}
+
+/// The part of a display that an equation prints, as a display.
+fn part(item: &Equation, display: &Display) -> Display {
+    let text = item.latex.trim();
+    let is_it = |at: &usize| item.line <= display.line + display.text[..*at].matches('\n').count() + 1;
+    let places: Vec<usize> = display.text.match_indices(text).map(|(at, _)| at).collect();
+    let Some(at) = places.iter().copied().find(is_it).or(places.first().copied()) else { return display.clone() };
+    let body = Span::new(at, at + text.len()).shifted(display.body.start);
+    Display { body, text: text.to_owned(), ..display.clone() }
 }
 
 fn kind(document: &Document) -> Kind {
@@ -107,9 +123,13 @@ fn shown(
     prefix: &str,
 ) -> Markup {
     let is_it = |item: &&Equation| display_of(item, displays).is_some_and(|found| found.span == display.span);
-    match document.equations.iter().find(is_it) {
-        Some(item) => equation(item, Some(display), (document, derived), macros, prefix),
-        None => html! {
+    let items: Vec<&Equation> = document.equations.iter().filter(is_it).collect();
+    match items.as_slice() {
+        [item] => equation(item, Some(display), (document, derived), macros, prefix),
+        [_, _, ..] => html! {
+            @for item in items { (equation(item, Some(&part(item, display)), (document, derived), macros, prefix)) }
+        },
+        [] => html! {
             div class="display wide" tabindex="0" role="group" aria-label="A display that was not checked" {
                 (typeset::block(&display.text, macros))
             }

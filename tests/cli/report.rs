@@ -244,3 +244,19 @@ fn what_is_not_read_has_no_mark_of_success() {
     assert!(page.contains("? </span>unreadable"), "{page}");
     assert!(!page.contains("✓ </span>unreadable"), "{page}");
 }
+
+#[test]
+fn each_statement_of_a_display_has_its_verdict_on_the_page() {
+    let desk = Desk::new("report-statements");
+    let notes = "# Gas\n\nThe gas:\n\n$$ p V = N k T \\implies p = \\frac{N k V}{T} \\tag{4} $$\n\nSquares:\n\n\
+                 \\begin{align*}\n(a + b)^2 &= a^2 + 2 a b + b^2 \\\\\n(a - b)^2 &= a^2 + 2 a b + b^2\n\\end{align*}\n";
+    desk.write("notes.md", notes);
+    let run = desk.onshell(&["report", "notes.md", "--out", "out"]);
+    assert_eq!(run.code, 1, "{}{}", run.out, run.err);
+    let page = desk.read("out/notes.html");
+    assert!(unbalanced(&page).is_empty());
+    for id in ["L5", "4", "L10", "L11"] {
+        assert_eq!(page.matches(&format!("aria-label=\"Equation ({id})\"")).count(), 1, "{id}");
+    }
+    assert_eq!(page.matches("class=\"equation refuted").count(), 2);
+}
