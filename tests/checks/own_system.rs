@@ -6,7 +6,7 @@ use onshell::scalar::Number;
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{document, numbered, outcome};
+use crate::support::{document, numbered, outcome, verdict};
 
 /// A bead on a hoop of radius a that turns about its vertical diameter at the rate Ω; θ from the bottom.
 struct BeadOnAHoop;
@@ -212,4 +212,23 @@ fn a_name_from_its_own_formula_is_its_argument() {
     assert!(found("V(x)").unwrap().equations.iter().all(|equation| equation.ok));
     // What V does not contain may be a factor.
     assert!(found("V(m)").is_err() && found(r"k(x)").is_err());
+}
+
+#[test]
+fn beside_the_solution_for_one_coordinate_another_may_be_constant() {
+    let claims = json!({
+        "coordinates": { "r": "> 0", r"\theta": "angle" },
+        "constants": { r"m, k, g, \ell": "> 0" },
+        "means": { "L": "Lagrangian" },
+    });
+    let spring = r"L = \frac12 m(\dot r^2 + r^2\dot\theta^2) + m g r\cos\theta - \frac12 k(r - \ell)^2";
+    let moves = |place: &str, angle: &str| {
+        format!(r"r(t) = \ell {place} + A\cos\left(\sqrt{{\frac km}}\,t\right), \qquad \theta(t) = {angle}")
+    };
+    let of = |place, angle| verdict(&claims, &[spring, &moves(place, angle)], json!({}));
+    assert!(of(r"+ \frac{m g}{k}", "0").passes());
+    assert_eq!(of("", "0"), Refuted);
+    assert_eq!(of(r"+ \frac{m g}{k}", r"\frac{\pi}{2}"), Refuted);
+    // Nothing moves in it, so it is no solution: it is a value, and does not follow.
+    assert_eq!(verdict(&claims, &[spring, r"\theta = 0"], json!({})), Refuted);
 }

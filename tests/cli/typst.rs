@@ -53,13 +53,11 @@ fn a_display_is_read_as_its_latex_is() {
     desk.write("notes.md", &latex);
     let run = desk.onshell(&["check", "notes.md", "--format", "json"]);
     let wanted = run.json()["documents"][0]["equations"].as_array().expect("a list").clone();
-    assert_eq!((found.len(), code), (SAME.len(), run.code));
-    for (((typst, _), found), wanted) in SAME.iter().zip(&found).zip(&wanted) {
-        assert_eq!(
-            (&found["reading"], &found["verdict"]),
-            (&wanted["reading"], &wanted["verdict"]),
-            "{typst}: {found}"
-        );
+    // What stands on either side of an arrow is judged apart.
+    let arrows = SAME.iter().filter(|(_, latex)| latex.contains(r"\Rightarrow")).count();
+    assert_eq!((found.len(), code), (SAME.len() + arrows, run.code));
+    for (found, wanted) in found.iter().zip(&wanted) {
+        assert_eq!((&found["reading"], &found["verdict"]), (&wanted["reading"], &wanted["verdict"]), "{found}");
     }
     let read = found.iter().filter(|equation| equation["verdict"] != "unreadable").count();
     assert!(read >= 20, "{read} of {}", SAME.len());

@@ -26,9 +26,20 @@ impl Checker<'_> {
         if at > 0 || is_claimed || claim.holds.is_some() {
             return None;
         }
-        let found = Solution::of_link(link, self.model)?;
+        let found = Solution::of_link(link, self.model).or_else(|| self.constant_solution(link))?;
         let is_printed = || self.solutions().iter().any(|(_, known)| known.coordinate == found.coordinate);
         (found.dots < found.order || is_printed()).then_some(found)
+    }
+
+    /// The solution of a link by which a coordinate is constant, beside a solution for another one.
+    fn constant_solution(&self, link: &Link) -> Option<Solution> {
+        let found = Solution::of_link_or_constant(link, self.model).filter(|found| found.dots == 0)?;
+        let is_it = |(_, known): &(usize, Solution)| {
+            known.coordinate == found.coordinate
+                && known.formula.span == found.formula.span
+                && known.formula == found.formula
+        };
+        self.solutions().iter().any(is_it).then_some(found)
     }
 
     /// The solutions for coordinates that the notes print, each with its display.
@@ -39,9 +50,13 @@ impl Checker<'_> {
             let statements = reading.statements.iter().flatten().filter(|statement| !statement.relations.is_empty());
             let first = statements.filter_map(|statement| {
                 let link = self.link(&statement.members[0], statement.relations[0].0, &statement.members[1]).ok()?;
-                Solution::of_link(&link, self.model).filter(|found| found.dots == 0)
+                Solution::of_link_or_constant(&link, self.model).filter(|found| found.dots == 0)
             });
-            first.collect()
+            let found: Vec<Solution> = first.collect();
+            match found.iter().any(|solution| self.model.contains_time(&solution.formula)) {
+                true => found,
+                false => Vec::new(),
+            }
         };
         all.flat_map(|(at, reading)| printed(reading).into_iter().map(move |found| (at, found))).collect()
     }

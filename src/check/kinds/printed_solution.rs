@@ -22,10 +22,15 @@ pub(crate) struct Solution {
 impl Solution {
     /// The solution that a link prints: a coordinate on the left, and on the right the time and constants only.
     pub(crate) fn of_link(link: &Link, model: &Model) -> Option<Solution> {
+        Solution::of_link_or_constant(link, model).filter(|found| model.contains_time(&found.formula))
+    }
+
+    /// The same, where the coordinate may be constant: beside the solution for another one, θ = 0 is a solution too.
+    pub(crate) fn of_link_or_constant(link: &Link, model: &Model) -> Option<Solution> {
         let Node::Symbol { id, indices, dots } = &link.lhs.node else { return None };
         let order = order_of_motion(*id, model)?;
         let fits = is_equality(link.relation) && indices.is_empty();
-        if !fits || !model.contains_time(&link.rhs) || !is_of_time_and_constants(&link.rhs, model) {
+        if !fits || !is_of_time_and_constants(&link.rhs, model) {
             return None;
         }
         Some(Solution { coordinate: *id, dots: *dots, formula: link.rhs.clone(), order })
