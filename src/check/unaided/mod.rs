@@ -304,7 +304,6 @@ fn statements_of(display: &Display, notes: &Notes, macros: &Macros) -> Vec<Displ
                 .into_iter()
                 .collect(),
             line,
-            ..display.clone()
         }
     };
     spans.iter().enumerate().map(one).collect()
