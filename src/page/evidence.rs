@@ -50,7 +50,11 @@ pub(super) fn evidence(
                 }
             }
         }
-        @if finding.points > 0 { p { "Tried at " (finding.points) " sampled states." } }
+        @match finding.points {
+            0 => {}
+            1 => { p { "Tried at 1 sampled state." } }
+            points => { p { "Tried at " (points) " sampled states." } }
+        }
         @if let Some(power) = finding.false_accept_log2 {
             p { "Decided over a prime field: it is false with a probability below 2" sup { (format!("{:.0}", power.ceil())) } "." }
         }
