@@ -350,3 +350,20 @@ fn a_false_line_whose_formula_would_define_a_name_by_itself_ends_no_check() {
     let wrong = all("mark-circular-wrong", "\\nu^2 = \\frac{g}{a} + \\omega^2");
     assert!(wrong.len() >= 5 && wrong[4] != "right", "{wrong:?}");
 }
+
+#[test]
+fn the_place_of_an_equilibrium_is_right_in_any_form() {
+    let problem = (
+        "$$ L = \\frac12 m R^2 (\\dot\\theta^2 + \\Omega^2 \\sin^2\\theta) + m g R \\cos\\theta \\tag{1} $$\n\n\
+         $$ \\cos\\theta_0 = \\frac{g}{R \\Omega^2} \\tag{2} $$\n",
+        r#"{ "notes": "p.md", "coordinates": { "\\theta": "angle" },
+            "constants": { "m, R, g, \\Omega": "> 0", "\\theta_0": "(0, \\pi/2)" }, "means": { "L": "Lagrangian" },
+            "equations": { "2": { "equilibrium": true, "at": { "\\theta": "\\theta_0" } } },
+            "rubric": { "results": { "2": 2 } } }"#,
+    );
+    let of = |name: &str, line: &str| marks(name, problem, &format!("$$ {line} $$\n"));
+    assert_eq!(of("mark-equilibrium", "\\cos\\theta_0 = \\frac{g}{R\\Omega^2}"), ["right"]);
+    assert_eq!(of("mark-equilibrium-solved", "\\Omega^2 R\\cos\\theta_0 = g"), ["right"]);
+    // The twin: another place is none of the problem's.
+    assert_eq!(of("mark-equilibrium-wrong", "\\cos\\theta_0 = \\frac{2 g}{R\\Omega^2}")[0], "wrong");
+}

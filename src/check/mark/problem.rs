@@ -3,6 +3,7 @@
 use crate::notes::address::{self, Address, Point, Target};
 use crate::notes::claims::{Claim, Claims, Rubric, Share, Spanned};
 use crate::notes::{Display, Notes, Numbered};
+use crate::source::Span;
 use crate::{Error, Result};
 
 use crate::check::document::setup::{Run, assign, with_checker};
@@ -88,6 +89,15 @@ impl Problem {
             .help("write the wanted results as displays, and name them under \"rubric\""));
         }
         let mut contexts: Vec<Claim> = Vec::new();
+        // The place of an equilibrium is no identity: a line says the same if it follows from what the problem says of it.
+        for (address, _) in claims.equations.iter().filter(|(_, claim)| claim.equilibrium.is_some()) {
+            for display in address.resolve(notes, &claims.source)? {
+                if let Some(id) = notes.equations[display].id().filter(|_| verdicts[display].holds()) {
+                    let throughout = vec![Spanned::new(id.to_owned(), Span::default())];
+                    contexts.push(Claim { throughout, ..Claim::default() });
+                }
+            }
+        }
         for (_, claim) in &claims.equations {
             let context = Claim {
                 assume: claim.assume.clone(),
