@@ -91,8 +91,8 @@ const BETWEEN: [&str; 22] = [
     "*",
 ];
 
-/// What says that the statement after it follows from the one before it.
-const IMPLIES: [&str; 16] = [
+/// Arrows that say that the statement after them follows from the one before them.
+const IMPLIES: [&str; 10] = [
     "\\Rightarrow",
     "\\implies",
     "\\Longrightarrow",
@@ -103,24 +103,23 @@ const IMPLIES: [&str; 16] = [
     "⇒",
     "⟹",
     "⇔",
-    "\\text{so",
-    "\\text{hence",
-    "\\text{thus",
-    "\\text{therefore",
-    "\\text{ so",
-    "\\text{ hence",
 ];
+
+/// Words that say the same.
+const IMPLYING_WORDS: [&str; 4] = ["so", "hence", "thus", "therefore"];
 
 /// The end of what says that a text follows from what stands before it, where the text begins with that.
 pub fn implication(text: &str) -> Option<usize> {
-    let start = text.len() - after_separators(text).len();
-    let mark = IMPLIES.iter().find(|mark| text[start..].starts_with(**mark))?;
-    let end = start + mark.len();
-    match mark.starts_with("\\text") {
-        // `\text{so that }`
-        true => text[end..].find('}').map(|close| end + close + 1),
-        false => (!text[end..].starts_with(|c: char| c.is_ascii_alphabetic())).then_some(end),
+    let rest = after_separators(text);
+    let start = text.len() - rest.len();
+    let words = ["\\text{", "\\mbox{", "\\textrm{"].iter().find_map(|command| rest.strip_prefix(command));
+    if let Some((words, after)) = words.and_then(|words| words.split_once('}')) {
+        let first = words.trim().trim_start_matches("and ").split([' ', ',', '~']).next().unwrap_or_default();
+        return IMPLYING_WORDS.contains(&first).then_some(text.len() - after.len());
     }
+    let mark = IMPLIES.iter().find(|mark| rest.starts_with(**mark))?;
+    let end = start + mark.len();
+    (!text[end..].starts_with(|c: char| c.is_ascii_alphabetic())).then_some(end)
 }
 
 /// The statements of a display, where each can be read without the others: the rows, and what stands on either side of an

@@ -22,7 +22,15 @@ fn what_stands_after_an_arrow_is_judged_by_what_stands_before_it() {
             "The forces balance,\n$$ m g = \\frac12 \\rho C A v^2 {arrow} v = \\sqrt{{\\frac{{{speed}}}{{\\rho C A}}}}. $$\n"
         )
     };
-    for arrow in [r"\quad\Rightarrow\quad", r"\implies", r"\qquad\text{so}\qquad", r"\\ \therefore\;", r"\iff"] {
+    for arrow in [
+        r"\quad\Rightarrow\quad",
+        r"\implies",
+        r"\qquad\text{so}\qquad",
+        r"\quad\text{ thus }\quad",
+        r"\quad\mbox{hence}\quad",
+        r"\\ \therefore\;",
+        r"\iff",
+    ] {
         let right = verdicts("arrow", &balance(arrow, "2 m g"));
         assert_eq!(right.len(), 2, "{arrow}");
         assert!(right.iter().all(|verdict| verdict != "refuted"), "{arrow}: {right:?}");
