@@ -53,7 +53,8 @@ impl Reader<'_> {
         let (argument, enclosed) = match &first.layout {
             Layout::Fence(..) | Layout::Group(_) => {
                 *cursor += 1;
-                (self.item(first)?, true)
+                let is_exponent = function == Function::Exp;
+                (if is_exponent { self.exponent_of_e(first)? } else { self.item(first)? }, true)
             }
             Layout::Scripts { nucleus, .. } if matches!(nucleus.layout, Layout::Fence(..) | Layout::Group(_)) => {
                 let name = function.name();
@@ -88,6 +89,9 @@ impl Reader<'_> {
             let (argument, _) = self.factor(items, cursor)?;
             return Ok(argument);
         }
+        if let Some(argument) = self.inner_call(function, items, cursor)? {
+            return Ok(argument);
+        }
         let run = self.gather(function, head, items, start)?;
         if run.end == start {
             return Err(match items.get(start) {
@@ -110,6 +114,22 @@ impl Reader<'_> {
         }
         *cursor = run.end;
         self.term(&items[start..run.end])
+    }
+
+    /// `\ln\cosh x`: the argument is the value of another function. `\ln\sin x\cos x` may end in two places.
+    fn inner_call(&mut self, function: Function, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        let Some(Ok(Some((inner, _)))) = items.get(*cursor).map(function_head) else { return Ok(None) };
+        let (argument, _) = self.factor(items, cursor)?;
+        let ends = |item: &Item| matches!(item.layout, Layout::Space(_)) || joint(item).is_some();
+        match items.get(*cursor) {
+            Some(next) if !ends(next) => {
+                let (outer, inner) = (function.name(), inner.name());
+                let what = format!("the argument of \\{outer} may end after \\{inner} or later");
+                Err(Fault::ambiguous(argument.span.to(next.span), what)
+                    .help(format!("put the argument in parentheses, \\{outer}(…)")))
+            }
+            _ => Ok(Some(argument)),
+        }
     }
 
     /// What an argument that may end after `end` items, or with one item more or less, can mean.
@@ -196,7 +216,12 @@ impl Reader<'_> {
             [(_, first), (_, second)] => {
                 let base = first.base.as_str();
                 // A rate times the time, and a wave number times a place.
-                let is_rate = ["\\omega", "\\Omega", "\\nu", "\\gamma", "\\lambda", "\\beta"].contains(&base);
+                let bare = base.split_once('{').map_or(base, |(accent, inner)| match accent {
+                    "\\bar" | "\\tilde" => inner.trim_end_matches('}'),
+                    _ => base,
+                });
+                let is_rate =
+                    ["\\omega", "\\Omega", "\\nu", "\\gamma", "\\lambda", "\\beta", "\\delta"].contains(&bare);
                 let is_place = ["x", "y", "z", "r"].contains(&second.base.as_str()) && second.subscript.is_empty();
                 // So is any letter before the time in a hyperbolic function: cosh αt.
                 (is_rate || run.is_hyperbolic) && Some(second) == self.symbols.time.as_ref()

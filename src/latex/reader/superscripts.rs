@@ -1,5 +1,7 @@
 //! What stands above a base: a power, a transpose, an inverse; and marks that look like a power and are none.
 //!
+//! In an exponent of e, and in the argument of `\exp`, everything after a slash stands below it: `e^{-E/kT}` is exp(−E/(kT)).
+//!
 //! `X^T`, `A^\dagger`, `x^*`, `x^{(n)}`, `v^+`, `F^{\mathrm{ext}}` and indices above a symbol are rejected, since to read
 //! them as powers would be silently wrong. Without declarations, letters that are usual as indices are rejected too.
 
@@ -10,10 +12,60 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
-use super::items::{contents, is_transpose, whole_number};
+use super::items::{contents, is_number, is_numeric_item, is_transpose, whole_number};
 use super::state::{Read, Reader};
 
+/// A term `a/bc` as a fraction.
+fn as_fraction(term: &[Item]) -> Option<Item> {
+    let is_slash = |item: &Item| item.layout == Layout::Other('/');
+    let is_space = |item: &&Item| matches!(item.layout, Layout::Space(_));
+    let is_figure = |item: &Item| is_number(item) || is_numeric_item(item);
+    let is_pi = |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\pi");
+    let is_factor = |item: &Item| is_figure(item) || is_pi(item) || names::printed(item, None).is_some();
+    let at = term.iter().position(is_slash)?;
+    let (above, below) = (&term[..at], &term[at + 1..]);
+    let factors: Vec<&Item> = below.iter().filter(|item| !is_space(item)).collect();
+    let is_product = factors.len() > 1 && factors.iter().all(|item| is_factor(item));
+    let is_mixed = above.iter().filter(|item| !is_space(item)).all(is_figure) && is_figure(factors.first()?);
+    let group = |items: &[Item]| {
+        let span = items.first()?.span.to(items.last()?.span);
+        Some(Box::new(Item { layout: Layout::Group(items.to_vec()), span }))
+    };
+    if !is_product || is_mixed {
+        return None;
+    }
+    let (above, below) = (group(above)?, group(below)?);
+    let span = above.span.to(below.span);
+    Some(Item { layout: Layout::Fraction(above, below), span })
+}
+
 impl Reader<'_> {
+    /// An exponent of e whose slashes are fraction lines: authors set no `\frac` there, and divide nothing but the whole term.
+    ///
+    /// `1/2x` keeps its slash, and so does a term whose denominator is no product of numbers and names.
+    pub(super) fn exponent_of_e(&mut self, exponent: &Item) -> Read<Expr> {
+        let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
+        let items = match &exponent.layout {
+            Layout::Group(items) | Layout::Fence(_, items) => items,
+            _ => return self.item(exponent),
+        };
+        let mut found: Vec<Item> = Vec::with_capacity(items.len());
+        for term in items.split_inclusive(is_sign) {
+            let length = term.len() - usize::from(term.last().is_some_and(is_sign));
+            let (term, sign) = term.split_at(length);
+            match as_fraction(term) {
+                Some(fraction) => found.push(fraction),
+                None => found.extend_from_slice(term),
+            }
+            found.extend_from_slice(sign);
+        }
+        let layout = match &exponent.layout {
+            Layout::Fence(delimiter, _) => Layout::Fence(*delimiter, found),
+            _ => Layout::Group(found),
+        };
+        self.item(&Item { layout, span: exponent.span })
+    }
+
     /// A base with a superscript: a power, a transpose, an inverse.
     pub(super) fn raised(&mut self, base: Expr, sup: &Item, span: Span) -> Read<Expr> {
         let shape = self.shape_of(&base)?;

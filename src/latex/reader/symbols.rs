@@ -41,7 +41,7 @@ impl Reader<'_> {
                     return Err(Fault::ambiguous(sup.span, "j in an exponent of e may be √−1 or a symbol")
                         .help("write i for √−1, or declare j as \"imaginary unit\" in a claims file; for a symbol, use another letter"));
                 }
-                let exponent = self.item(sup)?;
+                let exponent = self.exponent_of_e(sup)?;
                 let euler = Expr::new(Node::Euler, span);
                 return Ok(Expr::new(Node::Power(Box::new(euler), Box::new(exponent)), span));
             }

@@ -5,11 +5,11 @@ use crate::formula::symbols::{Entry, Kind};
 use crate::formula::tree::{Expr, Node, Sign, Term};
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Delimiter, Item, Layout};
+use super::super::layout::{Item, Layout};
 use super::super::names::{self, unaccented};
 use super::items::{
     Joint, beside, extent, function_head, is_any_integral, is_big_product, is_big_sum, is_integral, is_limit,
-    is_number, is_numeric_item, is_reciprocal, joint,
+    is_reciprocal, joint,
 };
 use super::state::{Read, Reader};
 use super::undeclared::bar;
@@ -230,40 +230,6 @@ impl Reader<'_> {
         Ok(product)
     }
 
-    /// Rejects neighbouring factors that print as something else: `2 3`, `2\frac12`, `|a|b|c|`.
-    fn run_together(&self, items: &[Item], at: usize) -> Read<()> {
-        let before = items[..at].iter().rev().find(|item| !matches!(item.layout, Layout::Space(_)));
-        let Some(before) = before else { return Ok(()) };
-        let item = &items[at];
-        let span = before.span.to(item.span);
-        // `2\sqrt{3}` is a product, and no mixed number.
-        let is_fraction = is_numeric_item(item) && !matches!(item.layout, Layout::Root(..));
-        if matches!(before.layout, Layout::Number(_)) && (is_fraction || is_number(item)) {
-            return Err(
-                Fault::ambiguous(span, "2 3 may be the product 2·3 or the number 23").help("write \\cdot between them")
-            );
-        }
-        let touches = !matches!(items[at - 1].layout, Layout::Space(_));
-        if touches && is_number(item) && (names::printed(before, self.branch).is_some() || is_parenthesis(before)) {
-            return Err(Fault::ambiguous(span, "a number after a symbol may be a subscript, a power or a factor")
-                .help("write x_2, x^2 or 2x"));
-        }
-        if touches && is_uncertainty(before, item) {
-            return Err(Fault::ambiguous(
-                span,
-                "a number in parentheses may be a factor, or how far the last digits are uncertain",
-            )
-            .help("write \\cdot for a product, or leave the uncertainty out"));
-        }
-        let is_bar = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::PlainBar, _));
-        if is_bar(item) && !is_bar(before) && items[..at].iter().any(is_bar) {
-            return Err(
-                Fault::ambiguous(span, "|a|b|c| may be |a|·b·|c| or |a·|b|·c|").help("use \\left| and \\right|")
-            );
-        }
-        Ok(())
-    }
-
     /// Joins runs of factors by `\times` (first) and `\cdot`. Between numbers, both are plain products.
     fn join(&mut self, runs: Vec<(Joint, Vec<Expr>)>, whole: Span) -> Read<Expr> {
         if runs.len() == 1 {
@@ -472,20 +438,6 @@ impl Reader<'_> {
 
 fn is_fraction(item: &Item) -> bool {
     matches!(item.layout, Layout::Fraction(..))
-}
-
-fn is_parenthesis(item: &Item) -> bool {
-    matches!(item.layout, Layout::Fence(Delimiter::Round | Delimiter::Square | Delimiter::Curly, _))
-}
-
-/// Whether these are a number with decimals and a whole number in parentheses, as 9.81(2).
-fn is_uncertainty(number: &Item, item: &Item) -> bool {
-    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
-    let digits = |item: &Item| match &item.layout {
-        Layout::Number(digits) => Some(digits.contains('.')),
-        _ => None,
-    };
-    digits(number) == Some(true) && matches!(inside.as_slice(), [only] if digits(only) == Some(false))
 }
 
 /// The place of a factor that is the norm of a vector, or a derivative of one.

@@ -1,4 +1,5 @@
-//! Letters side by side that spell a function or a word: `sin x`, `log y`, `KE`, `speed`.
+//! Neighbours that print as something else than a product: letters that spell a function or a word, such as `sin x`, `log y`,
+//! `KE`, `speed`, and numbers, `2 3`.
 //!
 //! In print these are upright or stand apart, and nobody means the product of their letters. So a run of letters
 //! without a space between them is rejected if it has the name of a function in it. Without declarations, usual words are
@@ -7,8 +8,10 @@
 use crate::formula::tree::Function;
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Item, Layout};
-use super::state::Read;
+use super::super::layout::{Delimiter, Item, Layout};
+use super::super::names;
+use super::items::{is_number, is_numeric, is_numeric_item};
+use super::state::{Read, Reader};
 
 /// Functions that may stand anywhere in a run, `mgsin`.
 const FUNCTIONS: [&str; 9] = ["sin", "cos", "tan", "cot", "sec", "csc", "exp", "log", "sqrt"];
@@ -100,4 +103,57 @@ fn is_no_word(word: &str, span: Span, open: bool, is_abstract: bool) -> Read<()>
             .help(format!("a name of several letters is a letter with a subscript, such as E_{{kin}}; {apart}")));
     }
     Ok(())
+}
+
+impl Reader<'_> {
+    /// Rejects neighbouring factors that print as something else: `2 3`, `2\frac12`, `|a|b|c|`.
+    pub(super) fn run_together(&self, items: &[Item], at: usize) -> Read<()> {
+        let before = items[..at].iter().rev().find(|item| !matches!(item.layout, Layout::Space(_)));
+        let Some(before) = before else { return Ok(()) };
+        let item = &items[at];
+        let span = before.span.to(item.span);
+        // `2\sqrt{3}` is a product, and no mixed number.
+        let is_fraction = is_numeric_item(item) && !matches!(item.layout, Layout::Root(..));
+        if matches!(before.layout, Layout::Number(_)) && (is_fraction || is_number(item)) {
+            return Err(
+                Fault::ambiguous(span, "2 3 may be the product 2·3 or the number 23").help("write \\cdot between them")
+            );
+        }
+        let touches = !matches!(items[at - 1].layout, Layout::Space(_));
+        // A solid angle, `(a + b)4\pi r^2`, is a factor.
+        let is_factor = is_parenthesis(before) && items.get(at + 1).is_some_and(is_numeric);
+        let is_name = || names::printed(before, self.branch).is_some();
+        if touches && is_number(item) && !is_factor && (is_name() || is_parenthesis(before)) {
+            return Err(Fault::ambiguous(span, "a number after a symbol may be a subscript, a power or a factor")
+                .help("write x_2, x^2 or 2x"));
+        }
+        if touches && is_uncertainty(before, item) {
+            return Err(Fault::ambiguous(
+                span,
+                "a number in parentheses may be a factor, or how far the last digits are uncertain",
+            )
+            .help("write \\cdot for a product, or leave the uncertainty out"));
+        }
+        let is_bar = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::PlainBar, _));
+        if is_bar(item) && !is_bar(before) && items[..at].iter().any(is_bar) {
+            return Err(
+                Fault::ambiguous(span, "|a|b|c| may be |a|·b·|c| or |a·|b|·c|").help("use \\left| and \\right|")
+            );
+        }
+        Ok(())
+    }
+}
+
+fn is_parenthesis(item: &Item) -> bool {
+    matches!(item.layout, Layout::Fence(Delimiter::Round | Delimiter::Square | Delimiter::Curly, _))
+}
+
+/// Whether these are a number with decimals and a whole number in parentheses, as 9.81(2).
+fn is_uncertainty(number: &Item, item: &Item) -> bool {
+    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+    let digits = |item: &Item| match &item.layout {
+        Layout::Number(digits) => Some(digits.contains('.')),
+        _ => None,
+    };
+    digits(number) == Some(true) && matches!(inside.as_slice(), [only] if digits(only) == Some(false))
 }

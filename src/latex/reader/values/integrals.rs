@@ -37,10 +37,13 @@ impl Reader<'_> {
         let missing = || {
             Fault::new(sign.span, "this integral has no differential").help("end it with dx; put a sum in parentheses")
         };
-        let Parts { integrand, variable, taken } = parts(rest).ok_or_else(missing)?;
-        if self.symbols.find(&Name::plain("d")).is_some() && !self.symbols.open {
+        // Where d is a symbol, an upright d is the differential, and else the only d that there is.
+        let is_name = self.symbols.find(&Name::plain("d")).is_some() && !self.symbols.open;
+        let is_upright = is_name && rest.iter().any(|item| is_upright(item) || above_line(item).any(is_upright));
+        let Parts { integrand, variable, taken } = parts(rest, is_upright).ok_or_else(missing)?;
+        if is_name && !is_upright && count_of_d(&rest[..taken]) > 1 {
             return Err(Fault::ambiguous(variable.span, "d may be a differential or the declared symbol")
-                .help("rename the symbol d"));
+                .help("write \\mathrm{d} for the differential"));
         }
         *cursor += taken;
         let span = rest[..taken].iter().fold(sign.span, |span, item| span.to(item.span));
@@ -69,16 +72,16 @@ impl Reader<'_> {
         if is_sign(&items[at]) {
             return None;
         }
-        let found = own_differential(&items[at + 1..])?;
+        let found = own_differential(&items[at + 1..], false)?;
         let before = &items[at + 1..at + 1 + found];
         before.iter().any(is_sign).then_some(at + 1 + found + 2)
     }
 }
 
 /// The items of an integral.
-fn parts(rest: &[Item]) -> Option<Parts> {
+fn parts(rest: &[Item], upright: bool) -> Option<Parts> {
     let blank = |items: &[Item]| items.iter().all(|item| matches!(item.layout, Layout::Space(_)));
-    if let Some(at) = own_differential(rest) {
+    if let Some(at) = own_differential(rest, upright) {
         let spaces = rest[at + 1..].iter().take_while(|item| matches!(item.layout, Layout::Space(_))).count();
         let variable = rest.get(at + 1 + spaces)?.clone();
         let end = at + 2 + spaces;
@@ -94,7 +97,7 @@ fn parts(rest: &[Item]) -> Option<Parts> {
         _ => None,
     })?;
     let above_items = contents(above);
-    let d = own_differential(above_items)?;
+    let d = own_differential(above_items, upright)?;
     let spaces = above_items[d + 1..].iter().take_while(|item| matches!(item.layout, Layout::Space(_))).count();
     let variable = above_items.get(d + 1 + spaces)?.clone();
     let mut left: Vec<Item> = above_items[..d].iter().chain(&above_items[d + 2 + spaces..]).cloned().collect();
@@ -107,13 +110,15 @@ fn parts(rest: &[Item]) -> Option<Parts> {
     Some(Parts { integrand, variable, taken: rest.len() })
 }
 
-/// The position of the differential of the integral before these items; inner integrals have their own before it.
-fn own_differential(rest: &[Item]) -> Option<usize> {
+/// The position of the differential of the integral before these items; inner integrals have their own before it. It may
+/// have to be upright.
+fn own_differential(rest: &[Item], upright: bool) -> Option<usize> {
     let mut inner = 0_usize;
     for (at, item) in rest.iter().enumerate() {
         inner += usize::from(is_integral(item));
         let next = rest[at + 1..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
         let is_own = differential(item) == Some(1)
+            && (!upright || is_upright(item))
             && next
                 .and_then(|next| names::printed(next, None))
                 .is_some_and(|name| name.sup.is_none() && name.dots == 0);
@@ -124,6 +129,35 @@ fn own_differential(rest: &[Item]) -> Option<usize> {
         }
     }
     None
+}
+
+/// Whether an item is an upright d.
+fn is_upright(item: &Item) -> bool {
+    differential(item) == Some(1) && matches!(item.layout, Layout::Style(..))
+}
+
+/// The items above the line of a fraction.
+fn above_line(item: &Item) -> impl Iterator<Item = &Item> {
+    match &item.layout {
+        Layout::Fraction(above, _) => contents(above),
+        _ => &[],
+    }
+    .iter()
+}
+
+/// How often the letter d stands in items as a name of its own.
+fn count_of_d(items: &[Item]) -> usize {
+    let inside = |item: &Item| match &item.layout {
+        Layout::Letter('d') => 1,
+        Layout::Group(items) | Layout::Fence(_, items) => count_of_d(items),
+        Layout::Fraction(above, below) => count_of_d(contents(above)) + count_of_d(contents(below)),
+        Layout::Scripts { nucleus, sup, .. } => {
+            count_of_d(contents(nucleus)) + sup.as_ref().map_or(0, |sup| count_of_d(contents(sup)))
+        }
+        Layout::Root(_, inner) => count_of_d(contents(inner)),
+        _ => 0,
+    };
+    items.iter().map(inside).sum()
 }
 
 fn refused(reason: NoFormula, span: Span) -> Fault {

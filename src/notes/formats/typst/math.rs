@@ -235,7 +235,7 @@ impl Parser<'_> {
                 Some(next) if next.is_whitespace() => plain(vec![Piece::Written(take(self, 1), "\\\\".to_owned())]),
                 Some(next) => {
                     let place = take(self, 1 + next.len_utf8());
-                    plain(vec![if "{}|,;".contains(next) {
+                    plain(vec![if "{}|,;/:!.*".contains(next) {
                         Piece::Written(place, if "{}|".contains(next) { format!("\\{next}") } else { next.to_string() })
                     } else {
                         unknown(place, "Escape")
