@@ -79,6 +79,11 @@ codes! {
     /// For example, `E^2 = p^2c^2 + m^2c^2` beside `E = \gamma m c^2` and `p = \gamma m v`: c would be a pure number. Notes
     /// without a claims file only.
     DimensionsConflict = "dimensions-conflict",
+    /// A definition is contradicted by the displays that use the name, and one edit of it repairs them, in notes without a
+    /// claims file.
+    ///
+    /// For example, `t_1 = v/(7a)` before `a t_1 = 2v/7` and `a t_1^2 = 4v^2/(49a)`. Correct the definition.
+    DefinitionContradicted = "definition-contradicted",
     /// The text is not a unit of the SI.
     ///
     /// For example, `Nm` for `N m`. Write factors with a space between them and one
@@ -232,6 +237,12 @@ codes! {
     /// message
     /// says why nothing was decided, and what to change.
     NotDecided = "not-decided",
+    /// A display contradicts a definition that it uses, and a slip in either would explain that, in notes without a claims
+    /// file.
+    ///
+    /// For example, `t_1 = v/(7a)` and `a t_1 = 2v/7`: one of them is wrong, and no other display says which. An edit of
+    /// each is shown. Correct the one that is wrong.
+    Contradiction = "contradiction",
     /// Nothing is claimed of the display.
     ///
     /// For example, a second print has a number that the notes of the claims file lack.

@@ -53,6 +53,8 @@ mod strangers;
 mod typst;
 #[path = "cli/unaided.rs"]
 mod unaided;
+#[path = "cli/unaided_contradictions.rs"]
+mod unaided_contradictions;
 #[path = "cli/unaided_premises.rs"]
 mod unaided_premises;
 #[path = "cli/unaided_sentences.rs"]

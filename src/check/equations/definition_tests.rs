@@ -45,12 +45,26 @@ pub(crate) struct Use {
 
 /// An equation with the states at which it holds.
 struct DefinitionTest {
+    /// The name of the equation.
+    of: String,
+    /// Whether it holds with the definition as printed.
+    held: bool,
     link: Link,
     /// The formula that stands for a coordinate here: that of a printed solution, in an equation of motion.
     along: Option<(SymbolId, Expr)>,
     mode: Mode,
     bases: Vec<Vec<f64>>,
     rules: Arc<[Rule]>,
+}
+
+/// What another formula for a name does to an equation that uses the name.
+pub(crate) struct Outcome<'d> {
+    /// The name of the equation.
+    pub of: &'d str,
+    /// Whether it holds with the definition as printed.
+    pub held: bool,
+    /// Whether it holds with the other formula.
+    pub holds: bool,
 }
 
 /// The equations that test a definition.
@@ -106,7 +120,8 @@ impl<'d, 'a> DefinitionTests<'d, 'a> {
                 let ensemble = context.ensemble(mode, false, STATES)?;
                 let found = run(&link, &ensemble.states).is_ok_and(|o| o.failure.is_none() && o.points > 0);
                 let (bases, rules) = (ensemble.bases, ensemble.rules.clone());
-                let test = DefinitionTest { link: link.clone(), along: None, mode, bases, rules };
+                let (of, held) = (id.clone(), found);
+                let test = DefinitionTest { of, held, link: link.clone(), along: None, mode, bases, rules };
                 if found {
                     tests.push(test);
                     holds = true;
@@ -121,13 +136,21 @@ impl<'d, 'a> DefinitionTests<'d, 'a> {
 
     /// Whether an equation fails where the name stands for another formula.
     pub fn detects(&self, formula: &Expr) -> bool {
-        // A name cannot be defined by itself.
-        if self.checker.model.depends_on(formula, &[self.symbol]) {
-            return true;
-        }
+        self.redefined(formula).is_none_or(|model| self.tests.iter().any(|test| test.fails(&model)))
+    }
+
+    /// What becomes of each equation where the name stands for another formula; `None`, if the formula contains the name.
+    pub fn outcomes(&self, formula: &Expr) -> Option<impl Iterator<Item = Outcome<'_>>> {
+        let model = self.redefined(formula)?;
+        Some(self.tests.iter().map(move |test| Outcome { of: &test.of, held: test.held, holds: !test.fails(&model) }))
+    }
+
+    /// The model in which the name stands for another formula. A name cannot be defined by itself.
+    fn redefined(&self, formula: &Expr) -> Option<Model> {
         let mut model = self.checker.model.clone();
-        model.define(self.symbol, formula.clone());
-        self.tests.iter().any(|test| test.fails(&model))
+        let is_possible = !model.depends_on(formula, &[self.symbol]);
+        is_possible.then(|| model.define(self.symbol, formula.clone()));
+        is_possible.then_some(model)
     }
 }
 
@@ -194,8 +217,10 @@ fn laws_along(checker: &Checker<'_>, solution: &Solution, failing: bool) -> Resu
         mode.order = (mode.order + 1).min(crate::scalar::TERMS - 1);
         let bases = context.ensemble(mode, false, STATES)?.bases;
         let along = Some((solution.coordinate, solution.formula.clone()));
-        let test = DefinitionTest { link, along, mode, bases, rules: Arc::from([]) };
-        if failing || !test.fails(model) {
+        let of = "a law".to_owned();
+        let mut test = DefinitionTest { of, held: false, link, along, mode, bases, rules: Arc::from([]) };
+        test.held = !test.fails(model);
+        if failing || test.held {
             tests.push(test);
         }
     }

@@ -179,7 +179,12 @@ impl Checker<'_> {
 
     /// The verdict on a display with this text, and so with other definitions, if it is neither refuted nor unreadable: that on
     /// what it claims, or that it is a definition.
-    fn redefined_verdict(&self, wrong: &FailedDisplay<'_>, text: &str, formulas: &[Expr]) -> Option<Verdict> {
+    pub(crate) fn redefined_verdict(
+        &self,
+        wrong: &FailedDisplay<'_>,
+        text: &str,
+        formulas: &[Expr],
+    ) -> Option<Verdict> {
         let (model, reading) = self.redefined_model(wrong.at, wrong.claim, text, formulas)?;
         let options = Options { points: FEWEST.min(self.options.points), explain: false, ..self.options };
         let checker = Checker { model: &model, options, units: self.units.clone(), ..*self };

@@ -9,6 +9,7 @@
 //!
 //! Repairs are ranked in [`ranking`]. Each repair that is offered has passed the full check. Knows `trial` and below.
 
+pub(crate) mod culprit;
 pub(crate) mod definition_edit;
 pub(crate) mod missing_terms;
 pub(crate) mod missing_vectors;

@@ -14,6 +14,7 @@
 //! Offers [`unaided`], [`draft`] for the inferred claims as a file, and `guessed` for the check with such a file. Knows all
 //! other folders of `check`.
 
+mod contradictions;
 mod course;
 mod dimensions;
 mod gate;
@@ -135,7 +136,10 @@ fn judged(run: &Run<'_>, claims: &Claims, notes: &Notes, scope: &scope::Scope) -
         Some(lawful) => judged_with_laws(run, lawful, notes, (scope, &laws), found)?,
         None => found,
     };
-    Ok((with_links(run, lawful.as_ref().unwrap_or(claims), notes, scope, found)?, inferred))
+    let claims = lawful.as_ref().unwrap_or(claims);
+    let mut found = with_links(run, claims, notes, scope, found)?;
+    with_checker(run, claims, notes, |checker| contradictions::weighed(&checker, scope.carried, &mut found))?;
+    Ok((found, inferred))
 }
 
 /// The findings, where each chain that is taken for granted has a wrong equality called so.

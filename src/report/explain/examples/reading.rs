@@ -197,6 +197,18 @@ $$ p v = m v^2 \tag{2} $$",
         ],
     },
     Example {
+        word: "definition-contradicted",
+        command: "onshell check notes.md",
+        files: &[(
+            "notes.md",
+            r"$$ t_1 = \frac{v}{7 a} $$
+
+$$ v_1 = v - a t_1 = \frac57 v $$
+
+$$ s_1 = v t_1 - \frac12 a t_1^2 = \frac{12 v^2}{49 a} $$",
+        )],
+    },
+    Example {
         word: "dimensions-conflict",
         command: "onshell check notes.md",
         files: &[(

@@ -181,6 +181,16 @@ pub(super) const UNDECIDED: &[Example] = &[
         ],
     },
     Example {
+        word: "contradiction",
+        command: "onshell check notes.md",
+        files: &[(
+            "notes.md",
+            r"$$ t_1 = \frac{v}{7 a} $$
+
+$$ v_1 = v - a t_1 = \frac57 v $$",
+        )],
+    },
+    Example {
         word: "always-constant",
         command: "onshell check notes.md",
         files: &[

@@ -1,0 +1,76 @@
+//! Displays that contradict a definition: which of the two is called wrong.
+//!
+//! Where a display does not follow from a definition, the slip may be in either ([`Culprit`]). The other displays that use the
+//! name decide. Where none does, one of the two is wrong and nobody can tell which: the report says so, shows an edit of each,
+//! and calls neither wrong.
+
+use crate::Result;
+use crate::check::document::checker::Checker;
+use crate::check::repair::culprit::{Culprit, is_common};
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+use crate::check::verdict::report::Equation;
+use crate::code::Code;
+
+/// Weighs the displays that were called wrong and use definitions; `first` is the place of the first finding.
+///
+/// # Errors
+/// As for a check of an equation.
+pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation]) -> Result<()> {
+    for place in 0..found.len() {
+        let equation = &found[place];
+        let is_wrong = equation.finding.verdict == Verdict::Refuted && !equation.repairs.is_empty();
+        if !is_wrong || checker.model.system.is_some() {
+            continue;
+        }
+        let Some(culprit) = checker.culprit(first + place)? else { continue };
+        let is_common_here = found[place].repairs.iter().any(|repair| is_common(repair.slip));
+        let is_common_there = is_common(culprit.repair.slip);
+        let Some(defined) = culprit.at.checked_sub(first) else { continue };
+        if is_common_here && !is_common_there {
+            continue;
+        }
+        let (id, name) = (found[place].id.clone(), found[defined].id.clone());
+        if culprit.others > 0 && is_common_there || is_common_there && !is_common_here {
+            found[defined] = refuted(&found[defined], &culprit, &id);
+            found[place] = consistent(&found[place], &name);
+        } else {
+            let message = format!("({id}) contradicts this, and one of the two is wrong");
+            found[defined] = undecided(&found[defined], message);
+            found[place] = open(&found[place], &name, culprit);
+        }
+    }
+    Ok(())
+}
+
+/// The definition, called wrong.
+fn refuted(equation: &Equation, culprit: &Culprit, user: &str) -> Equation {
+    let mut repair = culprit.repair.clone();
+    repair.shared = None;
+    let message = match culprit.others {
+        0 => format!("({user}) contradicts this definition, and a likely slip in it explains that"),
+        1 => format!("({user}) and another display contradict this definition"),
+        others => format!("({user}) and {others} other displays contradict this definition"),
+    };
+    let finding = Finding::new(Code::DefinitionContradicted, Verdict::Refuted, equation.finding.span, message);
+    Equation { finding, parts: Vec::new(), repairs: vec![repair], ok: false, ..equation.clone() }
+}
+
+/// A display that follows once a definition is corrected.
+fn consistent(equation: &Equation, definition: &str) -> Equation {
+    undecided(equation, format!("this follows once ({definition}) is corrected"))
+}
+
+fn undecided(equation: &Equation, message: String) -> Equation {
+    let finding = Finding::new(Code::NotDecided, Verdict::Undecided, equation.finding.span, message);
+    Equation { finding, parts: Vec::new(), repairs: Vec::new(), elsewhere: Vec::new(), ok: true, ..equation.clone() }
+}
+
+/// A display that contradicts a definition, where nobody can tell which of the two is wrong.
+fn open(equation: &Equation, definition: &str, culprit: Culprit) -> Equation {
+    let message = format!("this contradicts ({definition}), and one of the two is wrong");
+    let finding =
+        Finding { verdict: Verdict::Undecided, code: Code::Contradiction, message, ..equation.finding.clone() };
+    let repairs = equation.repairs.iter().take(1).cloned().chain([culprit.repair]).collect();
+    Equation { finding, parts: Vec::new(), repairs, ok: false, ..equation.clone() }
+}
