@@ -85,12 +85,17 @@ impl Work<'_> {
         if let Some(rows) = rows.filter(|_| tags.len() + labels.len() > 1)
             && rows.iter().filter(|row| carries(row)).take(2).count() == 2
         {
+            let mut before: Option<Span> = None;
             for group in self.groups(rows, &tags, &labels) {
                 let own = |all: &[Numbered]| all.iter().filter(|n| group.contains(n.span)).cloned().collect();
                 // Its line is that of its first character.
                 let start = tex_scanner::skip_space(&self.clean[..group.end], group.start).min(group.end);
                 let group = Span::new(start, group.end);
-                let raw = RawDisplay { span: group, body: group, delimiter: Delimiter::Rows, is_numbered: false };
+                // A row that begins with a relation has its left side in the row before.
+                let body = before.filter(|_| self.continues(group)).and_then(|row| self.last_member(row));
+                let body = body.map_or(group, |member| member.to(group));
+                let raw = RawDisplay { span: group, body, delimiter: Delimiter::Rows, is_numbered: false };
+                before = Some(group);
                 pieces.push(self.piece(raw, group.end, own(&tags), own(&labels))?);
             }
             return Ok(());
@@ -143,6 +148,17 @@ impl Work<'_> {
         let text = &self.clean[span.range()];
         let start = tex_scanner::skip_space(text, 0);
         rows::starts_with_relation(&String::from_utf8_lossy(&text[start..text.len().min(start + 80)]))
+    }
+
+    /// The last member of the chain in a row; a comma or a full stop after it is blanked, since the chain goes on.
+    fn last_member(&mut self, row: Span) -> Option<Span> {
+        let start = rows::last_relation_end(&self.clean, row)?;
+        let end =
+            (start..row.end).rev().find(|&at| !self.clean[at].is_ascii_whitespace() && self.clean[at] != b'\\')?;
+        if matches!(self.clean[end], b',' | b'.' | b';') {
+            self.clean[end] = b' ';
+        }
+        Some(Span::new(tex_scanner::skip_space(&self.clean[..row.end], start), row.end))
     }
 
     /// Takes tags and labels out of a body.

@@ -101,6 +101,42 @@ pub(super) fn mark_blank_lines(clean: &mut [u8], source: &str, body: Span) {
     }
 }
 
+/// The commands that are relations.
+const RELATIONS: &[&str] = &[
+    "\\equiv",
+    "\\approx",
+    "\\simeq",
+    "\\sim",
+    "\\cong",
+    "\\propto",
+    "\\neq",
+    "\\ne",
+    "\\leq",
+    "\\le",
+    "\\geq",
+    "\\ge",
+    "\\ll",
+    "\\gg",
+    "\\lt",
+    "\\gt",
+    "\\Rightarrow",
+    "\\implies",
+    "\\Longrightarrow",
+    "\\iff",
+    "\\Leftrightarrow",
+    "\\to",
+    "\\rightarrow",
+    "\\longrightarrow",
+    "\\stackrel",
+    "\\overset",
+    "\\coloneqq",
+    "\\doteq",
+    "\\leqslant",
+    "\\geqslant",
+    "\\lesssim",
+    "\\gtrsim",
+];
+
 /// Whether `text` starts with a relation, alignment marks aside, and so continues the row before.
 pub(super) fn starts_with_relation(text: &str) -> bool {
     let text = text.trim_start_matches(|c: char| c.is_whitespace() || c == '&');
@@ -111,39 +147,34 @@ pub(super) fn starts_with_relation(text: &str) -> bool {
     if text.starts_with(['=', '<', '>']) || text.starts_with(":=") {
         return true;
     }
-    const RELATIONS: &[&str] = &[
-        "\\equiv",
-        "\\approx",
-        "\\simeq",
-        "\\sim",
-        "\\cong",
-        "\\propto",
-        "\\neq",
-        "\\ne",
-        "\\leq",
-        "\\le",
-        "\\geq",
-        "\\ge",
-        "\\ll",
-        "\\gg",
-        "\\lt",
-        "\\gt",
-        "\\Rightarrow",
-        "\\implies",
-        "\\Longrightarrow",
-        "\\iff",
-        "\\Leftrightarrow",
-        "\\to",
-        "\\rightarrow",
-        "\\longrightarrow",
-        "\\stackrel",
-        "\\overset",
-        "\\coloneqq",
-        "\\doteq",
-        "\\leqslant",
-        "\\geqslant",
-        "\\lesssim",
-        "\\gtrsim",
-    ];
     text.starts_with('\\') && RELATIONS.contains(&&text[..tex_scanner::word_end(text.as_bytes(), 0)])
+}
+
+/// The place after the last relation of a row that stands in no braces, environment or `\left … \right`.
+pub(super) fn last_relation_end(text: &[u8], row: Span) -> Option<usize> {
+    let bytes = &text[..row.end];
+    let (mut depth, mut at, mut found) = (0usize, row.start, None);
+    while at < row.end {
+        let mut next = at + 1;
+        match bytes[at] {
+            b'{' => depth += 1,
+            b'}' => depth = depth.saturating_sub(1),
+            b'=' if depth == 0 => found = Some(next),
+            b'\\' => {
+                let word = tex_scanner::word_end(bytes, at);
+                match &bytes[at + 1..word] {
+                    b"begin" | b"left" => depth += 1,
+                    b"end" | b"right" => depth = depth.saturating_sub(1),
+                    _ if depth == 0 && RELATIONS.iter().any(|name| name.as_bytes() == &bytes[at..word]) => {
+                        found = Some(word);
+                    }
+                    _ => {}
+                }
+                next = word.max(at + 2);
+            }
+            _ => {}
+        }
+        at = next;
+    }
+    found
 }

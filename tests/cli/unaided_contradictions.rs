@@ -33,7 +33,8 @@ fn findings(name: &str, notes: &str) -> Vec<(String, String, Option<u64>)> {
 fn a_definition_is_wrong_that_two_displays_contradict() {
     let right = findings("right", &ball(TIME, &[SPEED, WAY]));
     assert!(right.iter().all(|(verdict, ..)| ["definition", "certified"].contains(&verdict.as_str())), "{right:?}");
-    for (name, wrong) in [("factor", r"\frac{v}{7 a}"), ("number", r"\frac{2 v}{5 a}"), ("power", r"\frac{2 v}{7 a^2}")] {
+    for (name, wrong) in [("factor", r"\frac{v}{7 a}"), ("number", r"\frac{2 v}{5 a}"), ("power", r"\frac{2 v}{7 a^2}")]
+    {
         let notes = ball(wrong, &[SPEED, WAY]);
         let found = findings(name, &notes);
         assert_eq!((found[0].0.as_str(), found[0].1.as_str()), ("refuted", "definition-contradicted"), "{name}");

@@ -33,8 +33,8 @@ pub(crate) struct Culprit {
     pub at: usize,
     /// The edit with which the display holds.
     pub repair: Repair,
-    /// How many other displays fail as printed and hold with the edit.
-    pub others: usize,
+    /// The names of the other displays that fail as printed and hold with the edit.
+    pub others: Vec<String>,
 }
 
 impl Checker<'_> {
@@ -49,7 +49,7 @@ impl Checker<'_> {
         let mut found: Option<Culprit> = None;
         for at in (0..failed).rev().filter(defining).take(SUSPECTED) {
             let Some(culprit) = self.edited_definition(at, failed)? else { continue };
-            if found.as_ref().is_none_or(|known| known.others < culprit.others) {
+            if found.as_ref().is_none_or(|known| known.others.len() < culprit.others.len()) {
                 found = Some(culprit);
             }
         }
@@ -90,7 +90,7 @@ impl Checker<'_> {
             if is_same {
                 continue;
             }
-            let (mut holds, mut breaks, mut others) = (true, false, 0);
+            let (mut holds, mut breaks, mut others) = (true, false, Vec::new());
             let changed = introduced.iter().zip(&formulas).zip(&tests).filter(|((was, is), _)| was.formula != **is);
             let mut is_tested = false;
             for ((_, formula), tests) in changed {
@@ -103,12 +103,15 @@ impl Checker<'_> {
                         true => (is_tested, holds) = (true, holds && outcome.holds),
                         false => {
                             breaks |= outcome.held && !outcome.holds;
-                            others += usize::from(!outcome.held && outcome.holds);
+                            let of = outcome.of.trim_matches(['(', ')']).to_owned();
+                            if !outcome.held && outcome.holds && !others.contains(&of) {
+                                others.push(of);
+                            }
                         }
                     }
                 }
             }
-            let is_better = best.as_ref().is_none_or(|known| known.others < others);
+            let is_better = best.as_ref().is_none_or(|known| known.others.len() < others.len());
             let passes = || !passes_now || self.redefined_verdict(&own, &text, &formulas).is_some();
             if is_tested && holds && !breaks && is_better && passes() {
                 let shared = Some(Shared { of: shown(display), mends: vec![shown(&self.notes.equations[failed])] });

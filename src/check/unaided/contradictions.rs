@@ -31,9 +31,13 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
             continue;
         }
         let (id, name) = (found[place].id.clone(), found[defined].id.clone());
-        if culprit.others > 0 && is_common_there || is_common_there && !is_common_here {
+        if !culprit.others.is_empty() && is_common_there || is_common_there && !is_common_here {
             found[defined] = refuted(&found[defined], &culprit, &id);
-            found[place] = consistent(&found[place], &name);
+            for equation in
+                found.iter_mut().filter(|equation| equation.id == id || culprit.others.contains(&equation.id))
+            {
+                *equation = consistent(equation, &name);
+            }
         } else {
             let message = format!("({id}) contradicts this, and one of the two is wrong");
             found[defined] = undecided(&found[defined], message);
@@ -47,7 +51,7 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
 fn refuted(equation: &Equation, culprit: &Culprit, user: &str) -> Equation {
     let mut repair = culprit.repair.clone();
     repair.shared = None;
-    let message = match culprit.others {
+    let message = match culprit.others.len() {
         0 => format!("({user}) contradicts this definition, and a likely slip in it explains that"),
         1 => format!("({user}) and another display contradict this definition"),
         others => format!("({user}) and {others} other displays contradict this definition"),

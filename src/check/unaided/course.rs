@@ -271,8 +271,12 @@ impl Course<'_, '_> {
             return Ok(wrong);
         }
         for set in premises::for_slips(&sets) {
-            if let Some(wrong) = self.slip(at, &premises::claim(set), set, &words)? {
-                return Ok(wrong);
+            let claim = premises::claim(set);
+            let where_positive = positive.as_ref().map(|positive| positive.added_to(&claim));
+            for claim in std::iter::once(claim).chain(where_positive) {
+                if let Some(wrong) = self.slip(at, &claim, set, &words)? {
+                    return Ok(wrong);
+                }
             }
         }
         for solution in

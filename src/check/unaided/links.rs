@@ -29,12 +29,15 @@ pub(super) fn apart(checker: &Checker<'_>, first: usize, found: &[Equation]) -> 
     apart.notes.equations.truncate(first + found.len());
     for (place, equation) in found.iter().enumerate() {
         let at = first + place;
-        let [Ok(statement)] = checker.readings[at].statements.as_slice() else { continue };
-        let all_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
-        if equation.finding.verdict != Verdict::Assumed || statement.members.len() < 3 || !all_equal {
+        if equation.finding.verdict != Verdict::Assumed {
             continue;
         }
-        for link in 1..statement.relations.len() {
+        let chains = checker.readings[at].statements.iter().flatten().filter(|statement| {
+            statement.members.len() > 2 && statement.relations.iter().all(|(relation, _)| is_equality(*relation))
+        });
+        for (statement, link) in
+            chains.flat_map(|statement| (1..statement.relations.len()).map(move |k| (statement, k)))
+        {
             // Where a chain ends with "= 0", the author asks when that is so.
             let is_condition = statement.members[link + 1].is_null();
             if apart.origins.len() < MOST
@@ -62,7 +65,7 @@ fn alone(display: &Display, statement: &Statement, link: usize) -> Option<Displa
     let end = start + significant.len();
     let start = end - significant.trim_start_matches(|c: char| c.is_whitespace() || c == '&').len();
     let body = Span::new(start, end).shifted(display.body.start);
-    let id = format!("{} equality {}", display.id()?, link + 1);
+    let id = format!("{} equality {} at {}", display.id()?, link + 1, statement.span.start);
     Some(Display {
         span: body,
         body,

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use crate::code::Code;
 use crate::source::Source;
 
 use crate::check::verdict::Verdict;
@@ -139,7 +140,9 @@ impl Report {
     /// The exit code. 0: all items are as expected. 1: an item is wrong. 2: an item could not be checked, or there is
     /// none.
     pub fn exit_code(&self) -> u8 {
-        let wrong = |item: &Equation| !item.ok && matches!(item.finding.verdict, Verdict::Refuted | Verdict::Domain);
+        let is_wrong = |verdict| matches!(verdict, Verdict::Refuted | Verdict::Domain);
+        let wrong =
+            |item: &Equation| !item.ok && (is_wrong(item.finding.verdict) || item.finding.code == Code::Contradiction);
         let passed_against_expectation = |item: &Equation| !item.ok && item.finding.verdict.passes();
         if self.items().any(|item| wrong(item) || passed_against_expectation(item)) {
             1

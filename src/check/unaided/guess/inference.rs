@@ -362,8 +362,9 @@ fn is_reserved(usage: &Usage) -> bool {
 
 /// Whether a name is known without a declaration, or cannot be declared.
 fn is_reserved_name(name: &Name) -> bool {
+    const KNOWN: [&str; 9] = ["t", "e", "d", "i", "\\pi", "\\mathrm{d}", "\\mathrm{e}", "\\mathrm{i}", "\\mathrm{j}"];
     let alone = name.subscript.is_empty() && name.primes == 0;
-    alone && ["t", "e", "d", "i", "\\pi", "\\mathrm{d}", "\\mathrm{e}", "\\mathrm{i}"].contains(&name.base.as_str())
+    alone && KNOWN.contains(&name.base.as_str())
         || name.base.starts_with("\\hat{")
         || name.base.starts_with("\\mathrm{") && alone
 }

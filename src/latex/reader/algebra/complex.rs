@@ -52,7 +52,7 @@ impl Reader<'_> {
     pub(in super::super) fn is_imaginary_unit(&self, name: &Name) -> bool {
         let is_bare = name.subscript.is_empty() && name.primes == 0;
         let is_declared = self.symbols.imaginary.contains(name);
-        let is_usual = ["i", "\\imath", "\\mathrm{i}"].contains(&name.base.as_str());
+        let is_usual = ["i", "\\imath", "\\mathrm{i}", "\\mathrm{j}"].contains(&name.base.as_str());
         let is_factor =
             self.symbols.is_abstract() && self.symbols.inferred.imaginary_factor && !self.bound.contains(&name.base);
         if is_bare && is_usual && is_factor {

@@ -4,7 +4,7 @@
 //! A name is a matrix if it equals a written matrix, if it stands under `\det` or `\operatorname{tr}` and is bold or a
 //! capital, if it is a bold capital that is transposed, inverted or followed by another bold letter, or if it stands
 //! between x^T and x. The letter i is √−1 in the exponent of e, beside ħ, squared, or upright, unless it is an index
-//! somewhere in the display.
+//! somewhere in the display. So is an upright j.
 
 use crate::formula::symbols::{Kind, Name, Symbols};
 
@@ -16,8 +16,10 @@ use super::matrices::operator_word;
 
 /// Notes in the table what a display says of its letters.
 pub fn note(items: &[Item], symbols: &mut Symbols) {
-    symbols.imaginary_here = has_imaginary_unit(items);
-    symbols.inferred.imaginary_factor = is_evident(items);
+    // Beside each other an upright i and j are directions.
+    let is_direction = has_upright(items, 'i') && has_upright(items, 'j');
+    symbols.imaginary_here = !is_direction && has_imaginary_unit(items);
+    symbols.inferred.imaginary_factor = !is_direction && is_evident(items);
     if !symbols.open {
         return;
     }
@@ -221,8 +223,17 @@ fn is_i(item: &Item) -> bool {
 }
 
 fn is_upright_i(item: &Item) -> bool {
+    is_upright(item, 'i') || is_upright(item, 'j')
+}
+
+fn is_upright(item: &Item, letter: char) -> bool {
     matches!(&item.layout, Layout::Style(style, inner) if style == "\\mathrm"
-        && matches!(contents(inner), [Item { layout: Layout::Letter('i'), .. }]))
+        && matches!(contents(inner), [Item { layout: Layout::Letter(c), .. }] if *c == letter))
+}
+
+/// Whether an upright letter stands anywhere in items.
+fn has_upright(items: &[Item], letter: char) -> bool {
+    items.iter().any(|item| is_upright(item, letter) || parts(item).into_iter().any(|part| has_upright(part, letter)))
 }
 
 /// Whether the letter i must be √−1 here.
