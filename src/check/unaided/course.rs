@@ -26,7 +26,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
 use crate::formula::units::in_si::has_units;
-use crate::formula::{Expr, Statement, SymbolId, text};
+use crate::formula::{Expr, Relation, Statement, SymbolId, text};
 use crate::notes::claims::Claim;
 
 /// The most relations that a display with a slip is taken to solve.
@@ -207,7 +207,7 @@ impl Course<'_, '_> {
 
     fn judge(&mut self, at: usize) -> Result<Equation> {
         // K = ∫ u (dp/du) du says nothing of K where no formula for p is known.
-        if gate::lost_derivative(&self.checker.readings[at], &self.checker.notes.equations[at]) {
+        if self.lost_derivative(at) {
             self.doubtful.extend(self.checker.readings[at].introduced.iter().map(|new| new.symbol));
         }
         let none = Claim::default();
@@ -218,9 +218,7 @@ impl Course<'_, '_> {
             let is_supposed = prose::before(self.checker.notes, at).announced == Announced::Assumption;
             return Ok(if is_supposed { gate::as_it_counts(found) } else { found });
         }
-        if found.finding.verdict == Verdict::Refuted
-            && gate::lost_derivative(&self.checker.readings[at], &self.checker.notes.equations[at])
-        {
+        if found.finding.verdict == Verdict::Refuted && self.lost_derivative(at) {
             return Ok(gate::left_open(found));
         }
         let Some(symbols) = self.symbols(at).filter(|_| found.finding.verdict == Verdict::Refuted) else {
@@ -288,6 +286,18 @@ impl Course<'_, '_> {
             Some(name) => gate::introduces(found, &name),
             None => gate::as_it_counts(found),
         })
+    }
+
+    fn lost_derivative(&self, at: usize) -> bool {
+        let checker = self.checker;
+        gate::lost_derivative(&checker.readings[at], &checker.notes.equations[at], &checker.model.macros)
+    }
+
+    /// Whether the sides of a display are nearly equal, and no more.
+    fn approximates(&self, at: usize) -> bool {
+        let relations =
+            self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.relations);
+        relations.into_iter().all(|(relation, _)| *relation == Relation::Approximately)
     }
 
     /// Notes the names that a display defines, if it relates what an earlier relation does and does not follow from it.
@@ -449,7 +459,7 @@ impl Course<'_, '_> {
         };
         let solves = set.is_empty() && (self.prints_a_solution(at, claim) || words.connected && self.restates(at));
         if !solves && !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words)
-            || words.announced == Announced::Assumption
+            || words.announced == Announced::Assumption && !(words.only_nearness && self.approximates(at))
             || words.other_case && !self.is_by_itself(at)
         {
             return Ok(None);

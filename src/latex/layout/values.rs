@@ -142,6 +142,26 @@ fn is_derivative(item: &Item) -> bool {
     matches!(&item.layout, Layout::Fraction(above, below) if is_differential(above) && is_differential(below))
 }
 
+/// Whether a derivative stands in items: a quotient of differentials, ∂, ∇ or overdots.
+pub(crate) fn has_derivative(items: &[Item]) -> bool {
+    items.iter().any(|item| {
+        let mark = |name: &str| name == "\\partial" || name == "\\nabla" || name.ends_with("dot") && name != "\\cdot";
+        let is_mark = matches!(&item.layout, Layout::Command(name) | Layout::Accent(name, _) if mark(name));
+        let parts: Vec<&[Item]> = match &item.layout {
+            Layout::Group(items) | Layout::Fence(_, items) => vec![items],
+            Layout::Scripts { nucleus, sup, primes, .. } if *primes == 0 => {
+                std::iter::once(contents(nucleus)).chain(sup.iter().map(|sup| contents(sup))).collect()
+            }
+            Layout::Scripts { .. } => return true,
+            Layout::Fraction(above, below) => vec![contents(above), contents(below)],
+            Layout::Root(_, inner) | Layout::Accent(_, inner) | Layout::Style(_, inner) => vec![contents(inner)],
+            Layout::Environment(_, rows) => rows.iter().flatten().map(Vec::as_slice).collect(),
+            _ => Vec::new(),
+        };
+        is_mark || is_derivative(item) || parts.into_iter().any(has_derivative)
+    })
+}
+
 /// Whether an item begins what reaches to the end of its term.
 pub(crate) fn is_operator(item: &Item) -> bool {
     let nucleus = match &item.layout {
