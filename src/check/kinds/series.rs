@@ -127,6 +127,30 @@ fn without_rest(expr: &Expr) -> Option<Expr> {
     }
 }
 
+/// The order in a symbol of the last term of a sum whose powers of it grow from term to term.
+pub(crate) fn order_of_sum(expr: &Expr, small: SymbolId, model: &Model) -> Option<u32> {
+    let order = last_order(&with_rest(expr)?, small, model)?;
+    (order.fract() == 0.0 && (0.0..=HIGHEST).contains(&order)).then_some(order as u32)
+}
+
+/// A formula, where terms are left out at the end of the one sum in it that is no argument.
+fn with_rest(expr: &Expr) -> Option<Expr> {
+    let mut whole = expr.clone();
+    match &mut whole.node {
+        Node::Sum(terms) if terms.len() > 1 => {
+            let rest = Expr::new(Node::Rest(Vec::new()), expr.span);
+            terms.push(Term { sign: crate::formula::Sign::Plus, sign_span: None, expr: rest });
+        }
+        Node::Product(factors) => {
+            let sum = factors.iter_mut().find(|factor| matches!(factor.node, Node::Sum(_)))?;
+            *sum = with_rest(sum)?;
+        }
+        Node::Quotient(above, _) => **above = with_rest(above)?,
+        _ => return None,
+    }
+    Some(whole)
+}
+
 /// The order in a symbol of the last term before those that are left out in a formula. Factors around the sum raise it.
 fn last_order(expr: &Expr, small: SymbolId, model: &Model) -> Option<f64> {
     let power = |of: &Expr| power(of, small, model, 0);

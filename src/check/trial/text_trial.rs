@@ -23,6 +23,7 @@ use crate::check::document::normal_frequencies;
 use crate::check::document::reread;
 use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::difference;
+use crate::check::kinds::limit;
 use crate::check::kinds::series::{self, Read};
 use crate::check::kinds::small;
 use crate::check::kinds::small::ShrinkingFamily;
@@ -39,6 +40,10 @@ use crate::check::verdict::report::Part;
 
 /// The number of states that screen a text before its full check.
 pub(super) const STATES: usize = 6;
+
+/// The number of ways to a limit that screen a text, and the distance of a ratio from 1 that refutes it.
+const LIMITS: usize = 2;
+const APART: f64 = 0.1;
 
 /// The outcome of a trial.
 pub(crate) enum Answer {
@@ -269,6 +274,22 @@ impl<'d, 'a> Trial<'d, 'a> {
         }
     }
 
+    /// Whether the sides of a statement with ≈ are far from each other on the way to the limit of the claim.
+    fn misses_limit(&self, reading: &Reading, n: usize) -> bool {
+        let Some(Ok((variable, towards))) = self.claim.limit.as_ref().map(|limit| self.checker.limit(limit)) else {
+            return false;
+        };
+        let topic = format!("{} trial {n}", self.topic);
+        let context = self.context(&topic);
+        // On shell the sides may be nearer.
+        let is_approximate = |relation: Relation| relation == Relation::Approximately;
+        !self.checker.model.has_motion()
+            && links(self.checker, (reading, n), self.claim, is_approximate).any(|link| {
+                let found = limit::ratios(&link, variable, towards, (&context, LIMITS)).unwrap_or_default();
+                found.into_iter().flatten().any(|ratio| (ratio - 1.0).abs() > APART)
+            })
+    }
+
     fn read(&self, link: &Link) -> Read {
         series::of(link, self.claim.small.is_empty() && self.claim.limit.is_none(), self.checker.model)
     }
@@ -292,6 +313,9 @@ impl<'d, 'a> Trial<'d, 'a> {
                 .filter_map(|link| self.to_order(&link))
                 .any(|(link, order)| small::misses_order(&link, order, ways))
         };
+        if self.claim.limit.is_some() && (0..reading.statements.len()).any(|n| self.misses_limit(reading, n)) {
+            return true;
+        }
         if reading.statements.len() == self.shrinking.len() && self.shrinking.iter().enumerate().any(misses_order) {
             return true;
         }

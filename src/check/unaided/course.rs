@@ -26,7 +26,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
 use crate::formula::units::in_si::has_units;
-use crate::formula::{Expr, Relation, Statement, SymbolId, text};
+use crate::formula::{Expr, Statement, SymbolId, text};
 use crate::notes::claims::Claim;
 
 /// The most relations that a display with a slip is taken to solve.
@@ -94,12 +94,12 @@ fn with_options<'a>(checker: &Checker<'a>, explain: bool) -> Checker<'a> {
 }
 
 /// The way through the displays.
-struct Course<'c, 'a> {
+pub(super) struct Course<'c, 'a> {
     run: &'c Run<'c>,
-    scope: &'c Scope,
-    checker: &'c Checker<'a>,
+    pub(super) scope: &'c Scope,
+    pub(super) checker: &'c Checker<'a>,
     /// The same checker without explanations.
-    quick: Checker<'a>,
+    pub(super) quick: Checker<'a>,
     /// What was taken for granted so far.
     known: Vec<Premise>,
     /// The symbols of the displays so far, with the first display of each.
@@ -218,8 +218,13 @@ impl Course<'_, '_> {
             let is_supposed = prose::before(self.checker.notes, at).announced == Announced::Assumption;
             return Ok(if is_supposed { gate::as_it_counts(found) } else { found });
         }
-        if found.finding.verdict == Verdict::Refuted && self.lost_derivative(at) {
-            return Ok(gate::left_open(found));
+        if found.finding.verdict == Verdict::Refuted
+            && let Some(why) = self.unclear(at)
+        {
+            return Ok(gate::left_open(found, why));
+        }
+        if let Some(nearly) = self.nearly(at, &found)? {
+            return Ok(nearly);
         }
         let Some(symbols) = self.symbols(at).filter(|_| found.finding.verdict == Verdict::Refuted) else {
             return Ok(gate::as_it_counts(found));
@@ -286,18 +291,6 @@ impl Course<'_, '_> {
             Some(name) => gate::introduces(found, &name),
             None => gate::as_it_counts(found),
         })
-    }
-
-    fn lost_derivative(&self, at: usize) -> bool {
-        let checker = self.checker;
-        gate::lost_derivative(&checker.readings[at], &checker.notes.equations[at], &checker.model.macros)
-    }
-
-    /// Whether the sides of a display are nearly equal, and no more.
-    fn approximates(&self, at: usize) -> bool {
-        let relations =
-            self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.relations);
-        relations.into_iter().all(|(relation, _)| *relation == Relation::Approximately)
     }
 
     /// Notes the names that a display defines, if it relates what an earlier relation does and does not follow from it.
@@ -441,7 +434,7 @@ impl Course<'_, '_> {
     }
 
     /// The finding that a display passes with a claim, if it does.
-    fn passes(&self, at: usize, claim: &Claim) -> Result<Option<Equation>> {
+    pub(super) fn passes(&self, at: usize, claim: &Claim) -> Result<Option<Equation>> {
         if !screen::may_follow(&self.quick, at, claim)? {
             return Ok(None);
         }
@@ -449,7 +442,7 @@ impl Course<'_, '_> {
     }
 
     /// The finding that a display is wrong, if a likely slip separates it from what follows.
-    fn slip(&self, at: usize, claim: &Claim, set: &[&Premise], words: &Words) -> Result<Option<Equation>> {
+    pub(super) fn slip(&self, at: usize, claim: &Claim, set: &[&Premise], words: &Words) -> Result<Option<Equation>> {
         let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
         let (basis, search) = match set {
             [] => (Basis::Definitions, Search::Thorough),

@@ -73,7 +73,12 @@ fn may_be(statement: &Statement, model: &Model, basis: Basis, words: &Words) -> 
     {
         // Another formula for a name that has one is a law, a case or a new meaning; for a derived quantity it is a claim.
         let has_formula = model.meaning(id).is_some_and(|meaning| matches!(meaning, Meaning::Defined(_)));
-        if !is_derived(first, model) && (has_formula || basis == Basis::Definitions && model.meaning(id).is_some()) {
+        // That it is nearly equal to another one is a claim.
+        let is_near = statement.relations.iter().all(|(relation, _)| *relation == Relation::Approximately);
+        if !is_near
+            && !is_derived(first, model)
+            && (has_formula || basis == Basis::Definitions && model.meaning(id).is_some())
+        {
             return false;
         }
     }
@@ -201,9 +206,8 @@ pub(super) fn lost_derivative(reading: &Reading, display: &Display, macros: &Mac
     is_lost
 }
 
-/// The equation as it counts where a derivative is one of an unknown formula.
-pub(super) fn left_open(equation: Equation) -> Equation {
-    let message = "no display before gives the formula that is differentiated here, so this was not decided";
+/// The equation as it counts where it was read otherwise than it was meant.
+pub(super) fn left_open(equation: Equation, message: &str) -> Equation {
     let finding = Finding::new(Code::NotDecided, Verdict::Undecided, equation.finding.span, message);
     Equation { finding, parts: Vec::new(), repairs: Vec::new(), elsewhere: Vec::new(), ok: true, ..equation }
 }

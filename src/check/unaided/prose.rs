@@ -195,6 +195,12 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
     Words { announced, only_nearness, other_case: says(&OTHER_CASE), named: cited(notes, at, all), connected }
 }
 
+/// The sentence before the `at`-th display, as it is printed.
+pub(super) fn sentence(notes: &Notes, at: usize) -> String {
+    let all = without_comments(&notes.source.text[range(notes, at)]);
+    last_sentence(&all).to_owned()
+}
+
 /// The displays that the words before the `at`-th display cite.
 fn cited(notes: &Notes, at: usize, words: &str) -> Vec<usize> {
     let mut named: Vec<usize> = Vec::new();

@@ -17,13 +17,17 @@ const OFFSET: f64 = 0.07;
 
 /// The number of times that the step is halved: no fewer and no more.
 const FEWEST_HALVINGS: u32 = 2;
-const MOST_HALVINGS: u32 = 5;
+const MOST_HALVINGS: u32 = 4;
 
 /// The error relative to the terms at which the step is not halved any more.
 const FINE: f64 = 1e-13;
 
 /// The largest error relative to the terms.
 const COARSE: f64 = 1e-10;
+
+/// The largest errors relative to the terms after two and three halvings, from which the next ones can reach that: each
+/// halving squares the error.
+const HOPEFUL: [f64; 2] = [1e-2, 1e-4];
 
 /// Terms below this share of all are left out.
 const NEGLIGIBLE: f64 = 1e-18;
@@ -68,6 +72,9 @@ pub fn integral<D: Differentiable>(ends: (Option<D>, Option<D>), f: Integrand<'_
     let from = (first..=largest).find(counts).unwrap_or(largest).saturating_sub(1).max(first);
     let to = (largest..=last).rev().find(counts).unwrap_or(largest).saturating_add(1).min(last);
     let tails = sizes[first] + sizes[last];
+    if tails > COARSE * scale {
+        return Ok(unknown);
+    }
     let mut step = COARSEST;
     let mut sum = None;
     for (_, term) in &coarse[from..=to] {
@@ -90,6 +97,10 @@ pub fn integral<D: Differentiable>(ends: (Option<D>, Option<D>), f: Integrand<'_
         if halvings >= FEWEST_HALVINGS && (error <= FINE * size || is_last && error <= COARSE * size) {
             let (sum, Some(error)) = (sum.unwrap_or(D::zero()), D::uncertain(error)) else { break };
             return Ok(sum * step + error);
+        }
+        let is_hopeless = halvings.checked_sub(FEWEST_HALVINGS).and_then(|at| HOPEFUL.get(at as usize));
+        if is_hopeless.is_some_and(|most| error > most * size) {
+            break;
         }
         before = now;
     }
