@@ -59,6 +59,8 @@ mod unaided_contradictions;
 mod unaided_premises;
 #[path = "cli/unaided_sentences.rs"]
 mod unaided_sentences;
+#[path = "cli/unaided_series.rs"]
+mod unaided_series;
 #[path = "cli/unaided_solutions.rs"]
 mod unaided_solutions;
 #[path = "cli/watch.rs"]

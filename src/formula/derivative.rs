@@ -8,7 +8,7 @@ use super::calculus::any_function;
 use super::ids::{Index, SymbolId, Variable};
 use super::shape::{Shape, shape_of};
 use super::symbols::Symbols;
-use super::tree::{Expr, Function, MatrixFunction, Node, Sign, Term};
+use super::tree::{Definite, Expr, Function, MatrixFunction, Node, Sign, Term};
 use crate::source::Span;
 
 /// Why a formula has no derivative.
@@ -139,6 +139,7 @@ impl Differentiator<'_> {
             | Node::Identity
             | Node::Imaginary
             | Node::Epsilon(_)
+            | Node::Letter(_)
             | Node::Delta(_) => self.zero_like(expr),
             Node::Symbol { id, indices, dots } => return self.of_symbol(*id, indices, *dots, depth),
             Node::Sum(_) if any_function::value_of(expr, self.symbols).is_some() => {
@@ -232,6 +233,8 @@ impl Differentiator<'_> {
             }
             Node::Apply(..) => return Err(NoDerivative::Operation("a rotation")),
             Node::Inverse(_) => return Err(NoDerivative::Operation("the inverse of a matrix")),
+            Node::Rest(_) => return Err(NoDerivative::Operation("a sum of which terms are left out")),
+            Node::Definite(of) => self.of_integral(of, expr, depth)?,
             Node::Integral(..) | Node::Shrinking(..) | Node::SumOver { .. } => {
                 return Err(NoDerivative::Operation("an integral or a sum over particles"));
             }
@@ -298,6 +301,26 @@ impl Differentiator<'_> {
             orders[at] += 1;
             let slope = any_function::at(value.function, &orders, &value.arguments, self.span);
             terms.push((Sign::Plus, self.product(vec![self.copy(&slope), change])));
+        }
+        Ok(self.sum(terms, expr))
+    }
+
+    /// The derivative of an integral over a letter: that of the integrand, and what the ends add.
+    fn of_integral(&self, of: &Definite, expr: &Expr, depth: usize) -> Derived {
+        let slope = self.of(&of.integrand, depth)?;
+        let within = Definite { integrand: slope.clone(), ..of.clone() };
+        let mut terms = Vec::new();
+        if !slope.is_null() {
+            let mut inside = self.node(Node::Definite(Box::new(within)));
+            inside.move_to(self.span);
+            terms.push((Sign::Plus, inside));
+        }
+        for (sign, end) in [(Sign::Plus, &of.upper), (Sign::Minus, &of.lower)] {
+            let Some(end) = end else { continue };
+            let change = self.of(end, depth)?;
+            let mut there = self.copy(&of.integrand);
+            there.substitute(&|node| matches!(node, Node::Letter(id) if *id == of.letter).then(|| self.copy(end)));
+            terms.push((sign, self.product(vec![there, change])));
         }
         Ok(self.sum(terms, expr))
     }

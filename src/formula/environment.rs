@@ -11,7 +11,7 @@ use crate::scalar::{Number, Primal, RunningError, Series};
 
 use super::ids::{IndexId, SymbolId};
 use super::symbols::Symbols;
-use super::tree::Expr;
+use super::tree::{Definite, Expr};
 use super::value::Value;
 
 /// Why a formula has no value at a state.
@@ -84,6 +84,10 @@ pub trait Environment<D: Differentiable> {
         _body: Body<'_, D>,
     ) -> Result<Value<D>, Unavailable> {
         Err(Unavailable::Symbol(region))
+    }
+    /// The value of an integral over a letter, which `body` computes. It may be kept where it depends on nothing around it.
+    fn quadrature(&self, _of: &Definite, _is_closed: bool, body: Body<'_, D>) -> Result<Value<D>, Unavailable> {
+        body()
     }
     /// The limit of `body` as the current part of a continuum shrinks to a point.
     fn shrinking(&self, region: SymbolId, _body: Body<'_, D>) -> Result<Value<D>, Unavailable> {

@@ -44,7 +44,7 @@ pub fn evaluate_to<D: Differentiable>(
     // Where there are indices, sums over more are likely.
     let mut indices = Vec::with_capacity(if free.is_empty() { 0 } else { free.len() + 2 });
     indices.extend_from_slice(free);
-    Evaluator { environment, indices, terms }.value(expr)
+    Evaluator { environment, indices, letters: Vec::new(), terms }.value(expr)
 }
 
 /// The value of a unit, where each base unit has a number of its own.
@@ -80,8 +80,10 @@ pub fn constant_exponent(expr: &Expr) -> Option<Ratio> {
 }
 
 pub(super) struct Evaluator<'a, D> {
-    environment: &'a dyn Environment<D>,
-    indices: Vec<(IndexId, u8)>,
+    pub(super) environment: &'a dyn Environment<D>,
+    pub(super) indices: Vec<(IndexId, u8)>,
+    /// The letters of the integrals around a formula, with their values.
+    pub(super) letters: Vec<(SymbolId, D)>,
     /// The number of terms of the result that are used.
     terms: usize,
 }
@@ -112,9 +114,13 @@ impl<D: Differentiable> Evaluator<'_, D> {
             Node::Power(base, exponent) => return self.power(base, exponent),
             Node::Identity => Value::Scalar(D::one()),
             Node::Imaginary => Value::Complex(Complex::i()),
-            Node::OfMatrix(..) | Node::Commutator(..) | Node::Complex(..) | Node::Cases(_) => {
-                return self.operator(expr);
-            }
+            Node::OfMatrix(..)
+            | Node::Commutator(..)
+            | Node::Complex(..)
+            | Node::Cases(_)
+            | Node::Definite(_)
+            | Node::Rest(_)
+            | Node::Letter(_) => return self.operator(expr),
             Node::Root(degree, radicand) => {
                 let x = self.scalar(radicand)?;
                 Value::Scalar(match degree {

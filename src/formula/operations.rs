@@ -1,13 +1,14 @@
-//! The value of functions of matrices, of parts of complex numbers and of `cases`, and of powers.
+//! The value of functions of matrices, of parts of complex numbers, of `cases`, of integrals over a letter, and of powers.
 
+use super::calculus::quadrature;
 use super::environment::{Differentiable, Unavailable};
 use super::evaluate::{Evaluated, Evaluator};
 use super::numbers::complex::Complex;
-use super::tree::{Branch, Expr, Node, Relation, Sign};
+use super::tree::{Branch, Definite, Expr, Node, Relation, Sign};
 use super::value::Value;
 
 impl<D: Differentiable> Evaluator<'_, D> {
-    /// Functions of matrices, parts of complex numbers, and cases.
+    /// Functions of matrices, parts of complex numbers, cases, and integrals over a letter.
     #[inline(never)]
     pub(super) fn operator(&mut self, expr: &Expr) -> Evaluated<Value<D>> {
         match &expr.node {
@@ -33,8 +34,31 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 Ok(number.part(*part).map_or_else(Value::Complex, Value::Scalar))
             }
             Node::Cases(branches) => self.cases(branches),
+            Node::Letter(id) => {
+                let value = self.letters.iter().rev().find(|(letter, _)| letter == id).map(|(_, value)| *value);
+                value.map(Value::Scalar).ok_or(Unavailable::Symbol(*id))
+            }
+            Node::Definite(of) => {
+                let environment = self.environment;
+                let is_closed = self.indices.is_empty() && self.letters.is_empty();
+                environment.quadrature(of, is_closed, &mut || self.integral(of))
+            }
+            Node::Rest(_) => Err(Unavailable::Operation("a sum of which terms are left out")),
             _ => Err(Unavailable::Operation("this operation")),
         }
+    }
+
+    /// An integral over one letter, by quadrature.
+    fn integral(&mut self, of: &Definite) -> Evaluated<Value<D>> {
+        let mut end = |end: &Option<Expr>| end.as_ref().map(|end| self.scalar(end)).transpose();
+        let ends = (end(&of.lower)?, end(&of.upper)?);
+        let value = quadrature::integral(ends, &mut |x| {
+            self.letters.push((of.letter, x));
+            let value = self.scalar(&of.integrand);
+            self.letters.pop();
+            value
+        });
+        value.map(Value::Scalar)
     }
 
     /// The value of the first branch whose conditions hold.

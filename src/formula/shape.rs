@@ -363,6 +363,14 @@ impl Binder<'_> {
                 Ok(Type { shape: of_size(count, columns), free })
             }
             Node::Integral(_, a) | Node::Shrinking(_, a) => self.bind(a),
+            Node::Letter(_) | Node::Rest(_) => Ok(scalar),
+            Node::Definite(of) => {
+                let mut free = self.scalar(&mut of.integrand, "an integral over one letter")?;
+                for end in of.lower.iter_mut().chain(&mut of.upper) {
+                    free = union(&free, &self.scalar(end, "an end of an integral")?);
+                }
+                Ok(Type { free, ..scalar })
+            }
             Node::Component(a, index) => {
                 let indices = [*index];
                 let found = self.bind(a)?;

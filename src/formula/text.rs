@@ -57,7 +57,7 @@ fn binding(node: &Node, symbols: &Symbols) -> u8 {
         Node::Apply(id, _) if symbols.entry(*id).name.base.starts_with("\\frac{") => 2,
         Node::Sum(_) => 1,
         Node::Product(_) | Node::Quotient(..) | Node::Cross(..) | Node::Dot(..) => 2,
-        Node::SumOver { .. } | Node::Integral(..) | Node::Shrinking(..) => 2,
+        Node::SumOver { .. } | Node::Integral(..) | Node::Shrinking(..) | Node::Definite(_) => 2,
         Node::Power(..) | Node::Transpose(_) | Node::Inverse(_) => 3,
         _ => 4,
     }
@@ -190,6 +190,15 @@ impl Writer<'_> {
                 format!("lim_{{{} → 0}} {}", plain(&self.symbols.entry(*region).name.to_string()), self.write(a, 1))
             }
             Node::Component(a, index) => format!("({})_{}", self.bare(a), self.index(*index)),
+            Node::Rest(_) => "…".into(),
+            Node::Letter(id) => plain(&self.symbols.entry(*id).name.to_string()),
+            Node::Definite(of) => {
+                let end =
+                    |end: &Option<Expr>, none: &str| end.as_ref().map_or(none.to_owned(), |end| self.write(end, 3));
+                let letter = plain(&self.symbols.entry(of.letter).name.to_string());
+                let (lower, upper) = (end(&of.lower, "−∞"), end(&of.upper, "∞"));
+                format!("∫_{lower}^{upper} {} d{letter}", self.write(&of.integrand, 1))
+            }
         }
     }
 

@@ -115,6 +115,25 @@ pub enum Node {
     Shrinking(SymbolId, Box<Expr>),
     /// One component of a vector along the fixed axes.
     Component(Box<Expr>, Index),
+    /// A definite integral over one letter for which no antiderivative is known.
+    Definite(Box<Definite>),
+    /// The terms that are left out at the end of a sum: `\dots`, or `O(x^2 y)` with the powers of x and y.
+    Rest(Vec<(SymbolId, i32)>),
+    /// The letter of such an integral, inside it.
+    Letter(SymbolId),
+}
+
+/// `\int_{lower}^{upper} integrand d(letter)`: its value is found by quadrature.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Definite {
+    /// The letter, which is [`Node::Letter`] in the integrand.
+    pub letter: SymbolId,
+    /// The lower end; `None` for −∞.
+    pub lower: Option<Expr>,
+    /// The upper end; `None` for +∞.
+    pub upper: Option<Expr>,
+    /// What is integrated.
+    pub integrand: Expr,
 }
 
 impl Node {
@@ -299,6 +318,8 @@ impl Expr {
             | Node::Imaginary
             | Node::Symbol { .. }
             | Node::Epsilon(_)
+            | Node::Letter(_)
+            | Node::Rest(_)
             | Node::Delta(_) => {
                 vec![]
             }
@@ -309,6 +330,7 @@ impl Expr {
             }
             Node::Matrix(rows) => rows.iter().flatten().collect(),
             Node::Cases(branches) => branches.iter().flat_map(Branch::parts).collect(),
+            Node::Definite(of) => of.lower.iter().chain(&of.upper).chain([&of.integrand]).collect(),
             Node::Root(_, a)
             | Node::Call(_, a)
             | Node::TimeDerivative(_, a)
@@ -336,6 +358,8 @@ impl Expr {
             | Node::Imaginary
             | Node::Symbol { .. }
             | Node::Epsilon(_)
+            | Node::Letter(_)
+            | Node::Rest(_)
             | Node::Delta(_) => {
                 vec![]
             }
@@ -346,6 +370,7 @@ impl Expr {
             }
             Node::Matrix(rows) => rows.iter_mut().flatten().collect(),
             Node::Cases(branches) => branches.iter_mut().flat_map(Branch::parts_mut).collect(),
+            Node::Definite(of) => of.lower.iter_mut().chain(&mut of.upper).chain([&mut of.integrand]).collect(),
             Node::Root(_, a)
             | Node::Call(_, a)
             | Node::TimeDerivative(_, a)
@@ -421,8 +446,10 @@ impl Expr {
 
     /// Replaces each symbol by `other` of it.
     pub fn rename(&mut self, other: &impl Fn(SymbolId) -> SymbolId) {
-        if let Node::Symbol { id, .. } | Node::Apply(id, _) = &mut self.node {
-            *id = other(*id);
+        match &mut self.node {
+            Node::Symbol { id, .. } | Node::Apply(id, _) => *id = other(*id),
+            Node::Rest(powers) => powers.iter_mut().for_each(|(id, _)| *id = other(*id)),
+            _ => {}
         }
         self.children_mut().into_iter().for_each(|child| child.rename(other));
     }

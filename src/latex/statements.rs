@@ -12,6 +12,7 @@ use crate::source::{Fault, Span};
 
 use super::definitions::{DefinedSymbol, New, Place, Unknown};
 use super::inference::infer;
+use super::layout::rest::has_rest;
 use super::layout::{Item, Layout, typeset_items};
 use super::macros::Macros;
 use super::pieces::{Piece, Printed, pieces};
@@ -168,7 +169,13 @@ impl Piece<'_> {
             .iter()
             .map(|link| (link.relation, link.items.iter().map(|item| (*item).clone()).collect()))
             .collect();
-        let relations: Vec<(Relation, Span)> = links.iter().filter_map(|(relation, _)| *relation).collect();
+        let mut relations: Vec<(Relation, Span)> = links.iter().filter_map(|(relation, _)| *relation).collect();
+        // A sum of which terms are left out equals nothing exactly.
+        for (at, relation) in relations.iter_mut().enumerate() {
+            if links[at..at + 2].iter().any(|(_, items)| has_rest(items)) && relation.0 == Relation::Equal {
+                relation.0 = Relation::Approximately;
+            }
+        }
         let defines = |at: usize| {
             let before = at.checked_sub(1).and_then(|before| relations.get(before));
             matches!(before, Some((Relation::Equal | Relation::Identical, _)))

@@ -29,6 +29,7 @@ impl Typesetter<'_> {
             | Node::Dot(..)
             | Node::SumOver { .. }
             | Node::Integral(..)
+            | Node::Definite(_)
             | Node::Shrinking(..) => true,
             Node::TimeDerivative(..) | Node::Quotient(..) | Node::Power(..) | Node::Call(..) => raised,
             Node::Transpose(_) | Node::Inverse(_) | Node::Entry(..) | Node::Root(..) | Node::Matrix(_) => raised,
@@ -212,6 +213,14 @@ impl Typesetter<'_> {
                 format!("\\lim_{{{} \\to 0}} {}", self.region(*region), self.body(a))
             }
             Node::Component(a, index) => format!("\\left({}\\right)_{{{}}}", self.bare(a), self.index(*index)),
+            Node::Rest(_) => "\\dots".into(),
+            Node::Letter(id) => self.symbol(*id, &[], 0),
+            Node::Definite(of) => {
+                let end = |end: &Option<Expr>, none: &str| end.as_ref().map_or(none.to_owned(), |end| self.bare(end));
+                let (lower, upper) = (end(&of.lower, "-\\infty"), end(&of.upper, "\\infty"));
+                let letter = self.symbol(of.letter, &[], 0);
+                format!("\\int_{{{lower}}}^{{{upper}}} {} \\, d{letter}", self.body(&of.integrand))
+            }
         }
     }
 

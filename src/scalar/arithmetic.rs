@@ -79,6 +79,10 @@ pub trait Arithmetic: Copy + Debug + Send + Sync + 'static {
     fn pi() -> Self {
         Self::constant(Self::Inner::pi())
     }
+    /// A number that is 0 up to this error; `None` for numbers that must be exact.
+    fn uncertain(error: f64) -> Option<Self> {
+        Self::Inner::uncertain(error).map(Self::constant)
+    }
     /// The real value, on which branches are decided.
     fn real(self) -> f64;
     /// Sum.
@@ -276,6 +280,9 @@ macro_rules! dual_number {
                 }
                 fn pi() -> Self {
                     <Self as Arithmetic>::pi()
+                }
+                fn uncertain(error: f64) -> Option<Self> {
+                    <Self as Arithmetic>::uncertain(error)
                 }
                 fn rational_power(self, exponent: $crate::scalar::Ratio) -> Self {
                     Arithmetic::rational_power(self, exponent)

@@ -18,6 +18,9 @@ pub trait Number: DualNum<Primitive = f64> + Copy + Send + Sync {
     fn pi() -> Self {
         Self::from(std::f64::consts::PI)
     }
+    /// A number that is 0 up to this error, for what is known no better, and unknown if that is infinite; `None` for
+    /// numbers that must be exact.
+    fn uncertain(error: f64) -> Option<Self>;
     /// The hyperbolic tangent, and its derivatives, also where the hyperbolic sine and cosine are too large for a double.
     fn hyperbolic_tangent(self) -> Self {
         self.tanh()
@@ -36,7 +39,11 @@ fn double(digits: &str) -> Option<f64> {
     }
 }
 
-impl Number for f64 {}
+impl Number for f64 {
+    fn uncertain(error: f64) -> Option<Self> {
+        Some(if error.is_finite() { 0.0 } else { f64::NAN })
+    }
+}
 
 /// The numbers of num-dual take their constants from the number that they are built over.
 macro_rules! over_inner {
@@ -47,6 +54,9 @@ macro_rules! over_inner {
             }
             fn pi() -> Self {
                 Self::from_re(D::pi())
+            }
+            fn uncertain(error: f64) -> Option<Self> {
+                D::uncertain(error).map(Self::from_re)
             }
             fn hyperbolic_tangent(self) -> Self {
                 // num-dual divides the hyperbolic sine by the cosine.

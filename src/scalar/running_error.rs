@@ -32,6 +32,9 @@ pub struct RunningError {
     pub magnitude: f64,
 }
 
+/// The number of roundings that may be in a value for each unit of its magnitude.
+const ROUNDINGS: f64 = 8.0;
+
 impl RunningError {
     /// A value known as well as an `f64` can hold it.
     pub fn new(value: f64) -> Self {
@@ -40,11 +43,24 @@ impl RunningError {
 
     /// Whether rounding alone could have made this of a zero.
     fn is_noise(self) -> bool {
-        self.value.abs() <= 8.0 * f64::EPSILON * self.magnitude
+        self.value.abs() <= ROUNDINGS * f64::EPSILON * self.magnitude
     }
 
     /// The result of dividing by what may be zero.
     const UNDEFINED: RunningError = RunningError { value: f64::NAN, magnitude: f64::NAN };
+
+    /// What has a value that was not found. A state where a side is unknown does not count.
+    const UNKNOWN: RunningError = RunningError { value: 1.0, magnitude: f64::INFINITY };
+
+    /// Whether nothing is known of the value.
+    pub fn is_unknown(self) -> bool {
+        self.value.is_finite() && self.magnitude == f64::INFINITY
+    }
+
+    /// The result of an operation that is not defined at what may be 0, or at what has lost all digits.
+    fn undefined_at(self) -> RunningError {
+        if self.is_unknown() { RunningError::UNKNOWN } else { RunningError::UNDEFINED }
+    }
 
     fn from_slope(value: f64, slope: f64, magnitude: f64) -> Self {
         // an input known exactly (magnitude 0) adds nothing, however steep the function
@@ -65,6 +81,10 @@ impl Arithmetic for RunningError {
     fn constant(value: f64) -> Self {
         RunningError::new(value)
     }
+    fn uncertain(error: f64) -> Option<Self> {
+        let magnitude = error / (ROUNDINGS * f64::EPSILON);
+        Some(if magnitude.is_finite() { RunningError { value: 0.0, magnitude } } else { RunningError::UNKNOWN })
+    }
     fn real(self) -> f64 {
         self.value
     }
@@ -80,7 +100,7 @@ impl Arithmetic for RunningError {
     }
     fn over(self, other: Self) -> Self {
         if other.is_noise() {
-            return RunningError::UNDEFINED;
+            return other.undefined_at();
         }
         let value = self.value / other.value;
         RunningError { value, magnitude: (self.magnitude + value.abs() * other.magnitude) / other.value.abs() }
@@ -93,7 +113,7 @@ impl Arithmetic for RunningError {
             return RunningError::new(1.0);
         }
         if n < 0 && self.is_noise() {
-            return RunningError::UNDEFINED;
+            return self.undefined_at();
         }
         let slope = f64::from(n) * self.value.powi(n - 1);
         Self::from_slope(self.value.powi(n), slope, self.magnitude)
@@ -109,7 +129,7 @@ impl Arithmetic for RunningError {
     fn apply(self, function: Function) -> Self {
         let periodic = matches!(function, Function::Sin | Function::Cos | Function::Tan);
         if periodic && self.magnitude * f64::EPSILON > 1e-5 {
-            return RunningError::UNDEFINED;
+            return self.undefined_at();
         }
         let moving = Dual64::new(self.value, 1.0);
         let Dual64 { re, eps } = match function {
@@ -120,7 +140,7 @@ impl Arithmetic for RunningError {
     }
     fn sine_cosine(self) -> (Self, Self) {
         if self.magnitude * f64::EPSILON > 1e-5 {
-            return (RunningError::UNDEFINED, RunningError::UNDEFINED);
+            return (self.undefined_at(), self.undefined_at());
         }
         let (sine, cosine) = self.value.sin_cos();
         (Self::from_slope(sine, cosine, self.magnitude), Self::from_slope(cosine, sine, self.magnitude))
@@ -169,6 +189,21 @@ mod tests {
         assert!(nothing.powi(-1).value.is_nan());
         // must-fail case: small, and known to be
         assert_eq!((RunningError::new(1.0) / 1e-200).value, 1e200);
+    }
+
+    #[test]
+    fn what_is_unknown_stays_unknown() {
+        let uncertain = <RunningError as Number>::uncertain;
+        let unknown = uncertain(f64::INFINITY).expect("a number");
+        let x = RunningError::new(0.3);
+        for y in
+            [unknown, x / unknown, unknown / x, unknown + x, unknown * x, unknown.powi(-2), unknown.sin(), unknown.ln()]
+        {
+            assert!(y.is_unknown(), "{y}");
+        }
+        // must-fail cases: what has no value, and what is known up to an error
+        assert!(!(x / 0.0).is_unknown() && !RunningError::UNDEFINED.is_unknown());
+        assert!(!uncertain(1e-12).expect("a number").is_unknown());
     }
 
     #[test]

@@ -284,6 +284,9 @@ impl Arithmetic for Symbol {
     fn constant(value: f64) -> Self {
         Symbol::build(|graph| graph.constant(value))
     }
+    fn uncertain(_error: f64) -> Option<Self> {
+        None
+    }
     fn real(self) -> f64 {
         RECORDING.with_borrow_mut(|graph| {
             graph.value(self.0).unwrap_or_else(|| {

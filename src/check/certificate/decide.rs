@@ -275,7 +275,8 @@ pub(crate) fn all_symbols(formulas: &[&Expr], projection: &Projection<'_>) -> Re
     while let Some(formula) = waiting.pop() {
         let mut symbols = Vec::new();
         formula.walk(&mut |expr| match &expr.node {
-            Node::Integral(..) => reason = reason.or(Some("an integral")),
+            Node::Integral(..) | Node::Definite(_) => reason = reason.or(Some("an integral")),
+            Node::Rest(_) => reason = reason.or(Some("a sum of which terms are left out")),
             Node::Shrinking(..) => reason = reason.or(Some("a limit")),
             Node::Symbol { id, .. } => symbols.push(*id),
             _ => {}

@@ -144,6 +144,7 @@ impl<'a> GrowthAnalysis<'a> {
             | Node::Identity
             | Node::Imaginary
             | Node::Epsilon(_)
+            | Node::Letter(_)
             | Node::Delta(_) => Growth::of([0; 2]),
             // A family without an index has no value.
             Node::Symbol { id, indices, .. } if indices.is_empty() && self.is_counted(*id) => None,
@@ -187,7 +188,7 @@ impl<'a> GrowthAnalysis<'a> {
                 let growth = self.of(body, dots)?;
                 Some(if self.counts(*index) { growth.summed(is_closed(expr)) } else { growth })
             }
-            Node::SumOver { .. } | Node::Integral(..) | Node::Shrinking(..) => None,
+            Node::Rest(_) | Node::SumOver { .. } | Node::Integral(..) | Node::Shrinking(..) | Node::Definite(_) => None,
         }
     }
 

@@ -11,6 +11,7 @@ use crate::check::document::names::shown;
 use crate::check::hypotheses::rule::Rule;
 use crate::check::kinds::definitions::Approximations;
 use crate::check::kinds::limit;
+use crate::check::kinds::series::{self, Read};
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::model::sampling::Spread;
@@ -31,6 +32,12 @@ impl Checker<'_> {
         place: Span,
         (from, context): (Span, &Context<'_>),
     ) -> Result<Finding> {
+        let link = &match series::of(link, claim.small.is_empty() && claim.limit.is_none(), self.model) {
+            Read::Plain => link.clone(),
+            Read::Unclear(why) => return Ok(context.finding(Code::NeedsLimitOrSmall, Verdict::Undecided, why)),
+            Read::Cut(cut) => cut,
+            Read::Series(series) => return series.check(context),
+        };
         if !claim.small.is_empty() {
             return self.small(link, claim, context);
         }

@@ -1,12 +1,13 @@
 //! The finding on a claim from its outcome at all states.
 
 use crate::code::Code;
-use crate::formula::Relation;
+use crate::formula::{Expr, Node, Relation};
 
 use crate::check::judge::at_states::AtStates;
 use crate::check::judge::mutants::{Mutant, mutants_of};
 use crate::check::model::Model;
 use crate::check::model::claim::Law;
+use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::outcome::Outcome;
@@ -55,13 +56,32 @@ pub(crate) fn conclude(
         return evidence(Code::WithinRounding, Verdict::Undecided, message);
     }
     if outcome.points < FEWEST.min(context.options.points) {
-        let message = format!(
-            "only {} of {} sampled states gave a number; narrow the ranges (for example, assume v < c)",
-            outcome.points, ensemble.tried
-        );
+        let advice = match [&link.lhs, &link.rhs].iter().any(|side| has_quadrature(side, context.model)) {
+            true => "at the others the quadrature of an integral does not converge, which may have no finite value",
+            false => "narrow the ranges (for example, assume v < c)",
+        };
+        let message = format!("only {} of {} sampled states gave a number; {advice}", outcome.points, ensemble.tried);
         return evidence(Code::TooFewStates, Verdict::Undecided, message);
     }
     evidence(Code::Holds, Verdict::Verified, confirmation(context, ensemble.mode.on_shell))
+}
+
+/// Whether a formula, or one that defines a name in it, has an integral without a known antiderivative.
+fn has_quadrature(formula: &Expr, model: &Model) -> bool {
+    let (mut waiting, mut seen) = (vec![formula], Vec::new());
+    let mut found = false;
+    while let Some(next) = waiting.pop() {
+        next.walk(&mut |part| found |= matches!(part.node, Node::Definite(_)));
+        for (id, _) in next.symbols() {
+            if let Some(Meaning::Defined(inner)) = model.meaning(id)
+                && !seen.contains(&id)
+            {
+                seen.push(id);
+                waiting.push(inner);
+            }
+        }
+    }
+    found
 }
 
 /// The code and the message of a claim that fails, with the entry at which it fails if it has several.

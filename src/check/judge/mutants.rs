@@ -318,6 +318,9 @@ impl Slips<'_> {
             | Node::Dot(..)
             | Node::Delta(_)
             | Node::Integral(..)
+            | Node::Definite(_)
+            | Node::Letter(_)
+            | Node::Rest(_)
             | Node::Shrinking(..)
             | Node::Component(..)
             | Node::SumOver { .. } => {}

@@ -102,6 +102,87 @@ pub fn check(link: &Link, variable: SymbolId, towards: Towards, context: &Contex
     Ok(if on_shell.verdict == Verdict::Verified { on_shell } else { always })
 }
 
+/// The ratio of the sides far on the way to a limit, from one base each; `None` where it has no value, or comes nearer to 1.
+///
+/// # Errors
+/// When the system's mass matrix is singular.
+pub(crate) fn ratios(
+    link: &Link,
+    variable: SymbolId,
+    towards: Towards,
+    (context, count): (&Context<'_>, usize),
+) -> Result<Vec<Option<f64>>> {
+    let mode = context.mode(false, &[&link.lhs, &link.rhs]);
+    let ensemble = context.ensemble(mode, false, count)?;
+    let of = |base: &Vec<f64>| {
+        let steps = Steps { context, mode, base, rules: &ensemble.rules, variable, towards };
+        let side = *steps.sides().first()?;
+        let at = |k: f64| {
+            let state = steps.state(k, side)?;
+            let (Value::Scalar(a), Value::Scalar(b)) =
+                (state.now(&link.lhs, &[]).ok()?, state.now(&link.rhs, &[]).ok()?)
+            else {
+                return None;
+            };
+            let ratio = a.value / b.value;
+            let is_known = a.value.abs() > NOISE * a.magnitude && b.value.abs() > NOISE * b.magnitude;
+            (ratio.is_finite() && is_known).then_some(ratio)
+        };
+        // Exponentials have values at short steps only.
+        let (near, far) = FAR_ENOUGH.iter().find_map(|[near, far]| Some((at(*near)?, at(*far)?)))?;
+        let is_settled = (near - far).abs() <= UNSETTLED * far.abs();
+        // What goes away from 1 does not come back so far out.
+        let goes_away = near.abs().ln().abs() > AWAY && far.abs().ln().abs() > near.abs().ln().abs();
+        (is_settled || goes_away).then_some(far)
+    };
+    Ok(ensemble.bases.iter().map(of).collect())
+}
+
+/// Whether the sides are nearly equal where a symbol has nearly the value of a formula, at one of a few states.
+///
+/// # Errors
+/// When the system's mass matrix is singular.
+pub(crate) fn meet_at(
+    link: &Link,
+    variable: SymbolId,
+    place: &Expr,
+    (context, count): (&Context<'_>, usize),
+) -> Result<bool> {
+    let mode = context.mode(false, &[&link.lhs, &link.rhs]);
+    let ensemble = context.ensemble(mode, false, count)?;
+    let meets = |(state, base): (&SampledState<'_, RunningError>, &Vec<f64>)| {
+        let Ok(Value::Scalar(end)) = state.now(place, &[]) else { return false };
+        let towards = Towards::Number(end.value);
+        let steps = Steps { context, mode, base, rules: &ensemble.rules, variable, towards };
+        let at = |k: f64, side: f64| {
+            let state = steps.state(k, side)?;
+            let (Value::Scalar(a), Value::Scalar(b)) =
+                (state.now(&link.lhs, &[]).ok()?, state.now(&link.rhs, &[]).ok()?)
+            else {
+                return None;
+            };
+            Some(a.value / b.value - 1.0)
+        };
+        [1.0, -1.0].into_iter().any(|side| at(BESIDE, side).is_some_and(|gap| gap.abs() < UNSETTLED))
+    };
+    Ok(ensemble.states.iter().zip(&ensemble.bases).any(meets))
+}
+
+/// The step at which a symbol has nearly a value.
+const BESIDE: f64 = 8.0;
+
+/// Pairs of steps on the way to a limit, those farthest away first.
+const FAR_ENOUGH: [[f64; 2]; 3] = [[10.0, 14.0], [4.0, 6.0], [0.0, 1.0]];
+
+/// The relative change of a ratio between two such steps from which it is no limit.
+const UNSETTLED: f64 = 0.02;
+
+/// The logarithm of a ratio that is far from 1.
+const AWAY: f64 = 2.0;
+
+/// A value below this share of its terms may be rounding.
+const NOISE: f64 = 1e-6;
+
 fn check_in(
     link: &Link,
     variable: SymbolId,

@@ -15,6 +15,7 @@ pub(crate) mod limit;
 pub(crate) mod mechanics;
 pub(crate) mod printed_solution;
 pub(crate) mod rate;
+pub(crate) mod series;
 pub(crate) mod shapes;
 pub(crate) mod small;
 pub(crate) mod solution;

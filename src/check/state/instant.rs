@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use num_traits::{One, Zero};
 
 use crate::formula::evaluate::{Body, Environment, Unavailable, differentiate, evaluate_to};
+use crate::formula::tree::Definite;
 use crate::formula::{Expr, IndexId, SymbolId, Symbols, Value};
 use crate::scalar::{Number, Primal, Series};
 
@@ -169,6 +170,19 @@ impl<B: Number> Environment<Primal<B>> for Now<'_, '_, B> {
         }
         let value = state.integrate(region, body, &Primal)?;
         state.memo.integrals.borrow_mut().push((region, integrand.clone(), value.clone()));
+        Ok(value)
+    }
+
+    fn quadrature(&self, of: &Definite, is_closed: bool, body: Body<'_, Primal<B>>) -> Valued<B> {
+        let state = self.0;
+        if !is_closed || !state.is_nowhere() {
+            return body();
+        }
+        if let Some((_, value)) = state.memo.quadratures.borrow().iter().find(|(known, _)| known == of) {
+            return Ok(value.clone());
+        }
+        let value = body()?;
+        state.memo.quadratures.borrow_mut().push((of.clone(), value.clone()));
         Ok(value)
     }
 

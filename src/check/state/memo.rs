@@ -8,6 +8,7 @@ use rustc_hash::FxHashMap;
 
 use crate::check::state::values::{MemberValues, first};
 use crate::formula::evaluate::Unavailable;
+use crate::formula::tree::Definite;
 use crate::formula::{Expr, SymbolId, Value};
 use crate::mechanics::Nodes;
 use crate::scalar::{Number, Primal, Series};
@@ -38,6 +39,8 @@ pub(crate) struct Memo<B: Number> {
     values: RefCell<FxHashMap<Key, Value<Primal<B>>>>,
     /// Integrals over a continuum with their integrands and values.
     pub(crate) integrals: RefCell<Vec<KnownIntegral<B>>>,
+    /// Integrals over a letter with their values.
+    pub(crate) quadratures: RefCell<Vec<(Definite, Value<Primal<B>>)>>,
     /// Quadrature nodes, by the continuum and the degree up to which they are exact.
     pub(crate) nodes: RefCell<NodesByDegree<B>>,
     /// Inertia tensors by masses and positions, each with its number of terms.
@@ -54,6 +57,7 @@ impl<B: Number> Default for Memo<B> {
             series: RefCell::default(),
             values: RefCell::default(),
             integrals: RefCell::default(),
+            quadratures: RefCell::default(),
             nodes: RefCell::default(),
             tensors: RefCell::default(),
             following: RefCell::default(),
@@ -76,6 +80,7 @@ impl<B: Number> Memo<B> {
         self.series.borrow_mut().clear();
         self.values.borrow_mut().clear();
         self.integrals.borrow_mut().clear();
+        self.quadratures.borrow_mut().clear();
     }
 
     /// Whether an equation of motion is being solved.

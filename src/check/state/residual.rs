@@ -255,6 +255,7 @@ fn compare(relation: Relation, a: RunningError, b: RunningError, entry: impl Fn(
     let residual = if scale > 0.0 { (a.value - b.value).abs() / scale } else { 0.0 };
     let failure = || Failure { lhs: a.value, rhs: b.value, residual, entry: entry() };
     match finite {
+        _ if a.is_unknown() || b.is_unknown() => Point::Useless,
         (true, true) if !scale.is_finite() => Point::Useless,
         (true, true) => {
             let difference = RunningError { value: a.value - b.value, magnitude: scale };

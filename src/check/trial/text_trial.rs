@@ -23,6 +23,8 @@ use crate::check::document::normal_frequencies;
 use crate::check::document::reread;
 use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::difference;
+use crate::check::kinds::limit;
+use crate::check::kinds::series::{self, Read};
 use crate::check::kinds::small;
 use crate::check::kinds::small::ShrinkingFamily;
 use crate::check::kinds::solution;
@@ -38,6 +40,10 @@ use crate::check::verdict::report::Part;
 
 /// The number of states that screen a text before its full check.
 pub(super) const STATES: usize = 6;
+
+/// The number of ways to a limit that screen a text, and the distance of a ratio from 1 that refutes it.
+const LIMITS: usize = 2;
+const APART: f64 = 0.1;
 
 /// The outcome of a trial.
 pub(crate) enum Answer {
@@ -110,7 +116,10 @@ impl<'d, 'a> Trial<'d, 'a> {
                 })
                 .collect();
         }
-        if !claim.small.is_empty() {
+        let leaves_out = |member: &Expr| series::has_rest(member);
+        if !claim.small.is_empty()
+            || now.statements.iter().flatten().flat_map(|statement| &statement.members).any(leaves_out)
+        {
             trial.shrinking = (0..now.statements.len()).map(|n| trial.shrinking(n)).collect();
         }
         Ok(trial)
@@ -139,12 +148,18 @@ impl<'d, 'a> Trial<'d, 'a> {
         let context = self.context(&topic);
         let is_approximate = |relation: Relation| relation == Relation::Approximately;
         let links: Vec<Link> = links(checker, (self.now, statement), self.claim, is_approximate).collect();
+        let series = links.iter().find_map(|link| match self.read(link) {
+            Read::Series(series) => Some(series.small_names()),
+            _ => None,
+        });
+        let links: Vec<Link> = links.iter().filter_map(|link| Some(self.to_order(link)?.0)).collect();
         let sides: Vec<&Expr> = links.iter().flat_map(|link| [&link.lhs, &link.rhs]).collect();
         let on_shell = self.claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
         let mut mode = context.mode(on_shell.unwrap_or(checker.model.has_motion()), &sides);
         // A text may need one derivative more than the original.
         mode.order = (mode.order + 1).min(TERMS - 1);
         let small: Result<Vec<Expr>> = self.claim.small.iter().map(|latex| checker.formula(latex)).collect();
+        let small = small.map(|small| if small.is_empty() { series.unwrap_or_default() } else { small });
         let families = small.and_then(|small| small::screen(checker.model, mode, &small, &context));
         families.ok().filter(|_| !links.is_empty()).unwrap_or_default()
     }
@@ -259,14 +274,48 @@ impl<'d, 'a> Trial<'d, 'a> {
         }
     }
 
+    /// Whether the sides of a statement with ≈ are far from each other on the way to the limit of the claim.
+    fn misses_limit(&self, reading: &Reading, n: usize) -> bool {
+        let Some(Ok((variable, towards))) = self.claim.limit.as_ref().map(|limit| self.checker.limit(limit)) else {
+            return false;
+        };
+        let topic = format!("{} trial {n}", self.topic);
+        let context = self.context(&topic);
+        // On shell the sides may be nearer.
+        let is_approximate = |relation: Relation| relation == Relation::Approximately;
+        !self.checker.model.has_motion()
+            && links(self.checker, (reading, n), self.claim, is_approximate).any(|link| {
+                let found = limit::ratios(&link, variable, towards, (&context, LIMITS)).unwrap_or_default();
+                found.into_iter().flatten().any(|ratio| (ratio - 1.0).abs() > APART)
+            })
+    }
+
+    fn read(&self, link: &Link) -> Read {
+        series::of(link, self.claim.small.is_empty() && self.claim.limit.is_none(), self.checker.model)
+    }
+
+    /// A link that holds to an order when something is small.
+    fn to_order(&self, link: &Link) -> Option<(Link, u32)> {
+        let claimed = self.claim.order.as_ref().map_or(1, |order| order.value);
+        match self.read(link) {
+            Read::Series(series) => Some((series.link, series.order)),
+            Read::Plain if !self.claim.small.is_empty() => Some((link.clone(), claimed)),
+            Read::Cut(link) if !self.claim.small.is_empty() => Some((link, claimed)),
+            _ => None,
+        }
+    }
+
     /// Whether a screening state or a screening family refutes a reading.
     fn fails_screen(&self, reading: &Reading) -> bool {
-        let order = self.claim.order.as_ref().map_or(1, |order| order.value);
         let is_approximate = |relation: Relation| relation == Relation::Approximately;
         let misses_order = |(n, ways): (usize, &Vec<Vec<ShrinkingFamily<'_>>>)| {
             links(self.checker, (reading, n), self.claim, is_approximate)
-                .any(|link| small::misses_order(&link, order, ways))
+                .filter_map(|link| self.to_order(&link))
+                .any(|(link, order)| small::misses_order(&link, order, ways))
         };
+        if self.claim.limit.is_some() && (0..reading.statements.len()).any(|n| self.misses_limit(reading, n)) {
+            return true;
+        }
         if reading.statements.len() == self.shrinking.len() && self.shrinking.iter().enumerate().any(misses_order) {
             return true;
         }

@@ -94,12 +94,12 @@ fn with_options<'a>(checker: &Checker<'a>, explain: bool) -> Checker<'a> {
 }
 
 /// The way through the displays.
-struct Course<'c, 'a> {
+pub(super) struct Course<'c, 'a> {
     run: &'c Run<'c>,
-    scope: &'c Scope,
-    checker: &'c Checker<'a>,
+    pub(super) scope: &'c Scope,
+    pub(super) checker: &'c Checker<'a>,
     /// The same checker without explanations.
-    quick: Checker<'a>,
+    pub(super) quick: Checker<'a>,
     /// What was taken for granted so far.
     known: Vec<Premise>,
     /// The symbols of the displays so far, with the first display of each.
@@ -207,7 +207,7 @@ impl Course<'_, '_> {
 
     fn judge(&mut self, at: usize) -> Result<Equation> {
         // K = ∫ u (dp/du) du says nothing of K where no formula for p is known.
-        if gate::lost_derivative(&self.checker.readings[at], &self.checker.notes.equations[at]) {
+        if self.lost_derivative(at) {
             self.doubtful.extend(self.checker.readings[at].introduced.iter().map(|new| new.symbol));
         }
         let none = Claim::default();
@@ -219,9 +219,12 @@ impl Course<'_, '_> {
             return Ok(if is_supposed { gate::as_it_counts(found) } else { found });
         }
         if found.finding.verdict == Verdict::Refuted
-            && gate::lost_derivative(&self.checker.readings[at], &self.checker.notes.equations[at])
+            && let Some(why) = self.unclear(at)
         {
-            return Ok(gate::left_open(found));
+            return Ok(gate::left_open(found, why));
+        }
+        if let Some(nearly) = self.nearly(at, &found)? {
+            return Ok(nearly);
         }
         let Some(symbols) = self.symbols(at).filter(|_| found.finding.verdict == Verdict::Refuted) else {
             return Ok(gate::as_it_counts(found));
@@ -435,7 +438,7 @@ impl Course<'_, '_> {
     }
 
     /// The finding that a display passes with a claim, if it does.
-    fn passes(&self, at: usize, claim: &Claim) -> Result<Option<Equation>> {
+    pub(super) fn passes(&self, at: usize, claim: &Claim) -> Result<Option<Equation>> {
         if !screen::may_follow(&self.quick, at, claim)? {
             return Ok(None);
         }
@@ -443,7 +446,7 @@ impl Course<'_, '_> {
     }
 
     /// The finding that a display is wrong, if a likely slip separates it from what follows.
-    fn slip(&self, at: usize, claim: &Claim, set: &[&Premise], words: &Words) -> Result<Option<Equation>> {
+    pub(super) fn slip(&self, at: usize, claim: &Claim, set: &[&Premise], words: &Words) -> Result<Option<Equation>> {
         let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
         let (basis, search) = match set {
             [] => (Basis::Definitions, Search::Thorough),
@@ -453,7 +456,7 @@ impl Course<'_, '_> {
         };
         let solves = set.is_empty() && (self.prints_a_solution(at, claim) || words.connected && self.restates(at));
         if !solves && !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words)
-            || words.announced == Announced::Assumption
+            || words.announced == Announced::Assumption && !(words.only_nearness && self.approximates(at))
             || words.other_case && !self.is_by_itself(at)
         {
             return Ok(None);

@@ -4,11 +4,14 @@
 use std::collections::HashMap;
 
 use crate::code::Code;
-use crate::formula::{Expr, Node, Sign, Statement, SymbolId, Symbols, text};
-use crate::latex::{Reading, read_display};
+use crate::formula::{Expr, Node, Relation, Sign, Statement, SymbolId, Symbols, text};
+use crate::latex::layout::typeset_items;
+use crate::latex::layout::values::has_derivative;
+use crate::latex::{Macros, Reading, read_display};
 use crate::notes::Display;
 use crate::source::Span;
 
+use crate::check::kinds::series::has_rest;
 use crate::check::model::Model;
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
@@ -23,6 +26,9 @@ const MOST_ON_ONE_SIDE: usize = 2;
 
 /// The fewest symbols, each as often as it stands there, of a correction that is no triviality.
 const FEWEST_SYMBOLS: usize = 4;
+
+/// The fewest symbols and operations of a series that is no triviality.
+const FEWEST_IN_SERIES: usize = 3;
 
 /// The largest number that authors leave out, or write twice, by a slip.
 const LARGEST_LOST_FACTOR: u32 = 4;
@@ -67,7 +73,12 @@ fn may_be(statement: &Statement, model: &Model, basis: Basis, words: &Words) -> 
     {
         // Another formula for a name that has one is a law, a case or a new meaning; for a derived quantity it is a claim.
         let has_formula = model.meaning(id).is_some_and(|meaning| matches!(meaning, Meaning::Defined(_)));
-        if !is_derived(first, model) && (has_formula || basis == Basis::Definitions && model.meaning(id).is_some()) {
+        // That it is nearly equal to another one is a claim.
+        let is_near = statement.relations.iter().all(|(relation, _)| *relation == Relation::Approximately);
+        if !is_near
+            && !is_derived(first, model)
+            && (has_formula || basis == Basis::Definitions && model.meaning(id).is_some())
+        {
             return false;
         }
     }
@@ -79,7 +90,8 @@ fn may_be(statement: &Statement, model: &Model, basis: Basis, words: &Words) -> 
         return true;
     }
     let pairs = members.windows(2).zip(&statement.relations);
-    pairs.filter(|(_, relation)| is_equality(relation.0)).any(|(pair, _)| {
+    let equates = |relation: Relation| is_equality(relation) || relation == Relation::Approximately;
+    pairs.filter(|(_, relation)| equates(relation.0)).any(|(pair, _)| {
         let (left, right) = (leaves(&pair[0], model), leaves(&pair[1], model));
         let alone =
             left.iter().filter(|id| !right.contains(id)).count() + right.iter().filter(|id| !left.contains(id)).count();
@@ -179,10 +191,13 @@ pub(super) fn introduces(equation: Equation, name: &str) -> Equation {
 }
 
 /// Whether a derivative in a display was read as 0, since nothing says what the formula of the derived quantity is.
-pub(super) fn lost_derivative(reading: &Reading, display: &Display) -> bool {
+pub(super) fn lost_derivative(reading: &Reading, display: &Display, macros: &Macros) -> bool {
     let is_printed = |part: &Expr| {
         let text = display.text.get(part.span.start..part.span.end).unwrap_or_default();
+        // The parts of an integral that has a value are all read from the whole of it, its zeros too.
+        let is_integral = text.contains("\\int");
         text.contains(|c: char| c.is_ascii_alphabetic())
+            && (!is_integral || typeset_items(text, macros).is_ok_and(|items| has_derivative(&items)))
     };
     let mut is_lost = false;
     for member in reading.statements.iter().flatten().flat_map(|statement| &statement.members) {
@@ -191,9 +206,8 @@ pub(super) fn lost_derivative(reading: &Reading, display: &Display) -> bool {
     is_lost
 }
 
-/// The equation as it counts where a derivative is one of an unknown formula.
-pub(super) fn left_open(equation: Equation) -> Equation {
-    let message = "no display before gives the formula that is differentiated here, so this was not decided";
+/// The equation as it counts where it was read otherwise than it was meant.
+pub(super) fn left_open(equation: Equation, message: &str) -> Equation {
     let finding = Finding::new(Code::NotDecided, Verdict::Undecided, equation.finding.span, message);
     Equation { finding, parts: Vec::new(), repairs: Vec::new(), elsewhere: Vec::new(), ok: true, ..equation }
 }
@@ -347,7 +361,18 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
         display.text.contains("\\partial")
             && pair.iter().map(|side| occurrences(side, model)).sum::<usize>() >= FEWEST_SYMBOLS
     };
-    let says_something = |pair: &[Expr]| is_content(&pair[0], &pair[1], &symbols, model) || is_differentiated(pair);
+    // So does an integral.
+    let is_integrated = |pair: &[Expr]| {
+        let prints =
+            |side: &Expr| corrected.get(side.span.start..side.span.end).is_some_and(|text| text.contains("\\int"));
+        pair.iter().any(prints)
+    };
+    // And a series, of which the sides have other forms.
+    let is_expanded = |pair: &[Expr]| {
+        pair.iter().any(has_rest) && pair.iter().map(|side| operations(side, model)).sum::<usize>() >= FEWEST_IN_SERIES
+    };
+    let is_printed = |pair: &[Expr]| is_differentiated(pair) || is_integrated(pair) || is_expanded(pair);
+    let says_something = |pair: &[Expr]| is_content(&pair[0], &pair[1], &symbols, model) || is_printed(pair);
     claims.peek().is_some() && claims.all(says_something)
 }
 
@@ -379,15 +404,33 @@ fn terms(formula: &Expr, symbols: &Symbols, model: &Model) -> Vec<(String, usize
 }
 
 /// The number of symbols and functions in a formula, each as often as it stands there. What a formula defines counts
-/// twice, since it stands for that formula.
+/// twice, since it stands for that formula, and so does an integral.
 fn occurrences(formula: &Expr, model: &Model) -> usize {
     let mut count = 0;
     formula.walk(&mut |part| {
         count += match &part.node {
             Node::Symbol { id, .. } if matches!(model.meaning(*id), Some(Meaning::Defined(_))) => 2,
-            Node::Symbol { .. } | Node::Call(..) => 1,
+            Node::Definite(_) => 2,
+            Node::Symbol { .. } | Node::Letter(_) | Node::Call(..) => 1,
             _ => 0,
         }
+    });
+    count
+}
+
+/// The number of symbols, functions, roots and fractions in a formula.
+fn operations(formula: &Expr, model: &Model) -> usize {
+    let mut count = occurrences(formula, model);
+    formula.walk(&mut |part| {
+        let is_symbolic = |inner: &Expr| !inner.symbols().is_empty();
+        count += match &part.node {
+            Node::Root(..) => 1,
+            Node::Quotient(_, below) => usize::from(is_symbolic(below)),
+            Node::Power(base, exponent) => {
+                usize::from(is_symbolic(base) && matches!(exponent.node, Node::Quotient(..) | Node::Sum(_)))
+            }
+            _ => 0,
+        };
     });
     count
 }

@@ -97,6 +97,13 @@ const ASSUMPTION: [&str; 38] = [
     "leading order",
 ];
 
+/// Those of them that say when two formulas are nearly equal.
+const NEARNESS: [&str; 8] =
+    ["approximat", "neglect", "small", "limit", "linear", "first order", "lowest order", "leading order"];
+
+/// Those of them that do so before a relation with ≪ or ≫.
+const CONDITION: [&str; 3] = ["if ", "when ", "condition"];
+
 /// Words of another case, which differs by a sign, an axis or a factor.
 const OTHER_CASE: [&str; 13] = [
     "invert",
@@ -135,6 +142,8 @@ pub(super) struct Words {
     pub announced: Announced,
     /// Whether they speak of another case, as a charge of the opposite sign.
     pub other_case: bool,
+    /// Whether they assume no more than that something is small or large, which says when A ≈ B holds.
+    pub only_nearness: bool,
     /// The displays that they name, by their places, the first first.
     pub named: Vec<usize>,
     /// Whether the display is connected with what comes before it: a consequence, its solutions, or no words at all. After other
@@ -154,7 +163,8 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
     // `A \Rightarrow B`: what is supposed for A is no word about B.
     if [all, &notes.equations[at].text].into_iter().any(|text| implication(text).is_some()) {
         let other_case = at > 0 && further > 0 && looking_back(notes, at - 1, further - 1).other_case;
-        return Words { announced: Announced::Consequence, other_case, named: Vec::new(), connected: true };
+        let announced = Announced::Consequence;
+        return Words { announced, other_case, only_nearness: false, named: Vec::new(), connected: true };
     }
     // Authors break lines anywhere.
     let words: Vec<String> = last_sentence(all).split_whitespace().map(str::to_lowercase).collect();
@@ -167,6 +177,7 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
         return Words {
             announced: before.announced,
             named,
+            only_nearness: before.only_nearness,
             connected: before.announced != Announced::Assumption,
             other_case: before.other_case,
         };
@@ -177,7 +188,17 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
         (false, false) => Announced::Nothing,
     };
     let connected = announced == Announced::Consequence || announced == Announced::Nothing && says(&SOLUTION);
-    Words { announced, other_case: says(&OTHER_CASE), named: cited(notes, at, all), connected }
+    let compares = ["\\ll", "\\gg", "\\to"].iter().any(|sign| sentence.contains(sign));
+    let is_nearness = |word: &&str| NEARNESS.contains(word) || compares && CONDITION.contains(word);
+    let only_nearness = announced == Announced::Assumption
+        && ASSUMPTION.iter().filter(|word| has_word(&sentence, word)).all(|word| is_nearness(&word));
+    Words { announced, only_nearness, other_case: says(&OTHER_CASE), named: cited(notes, at, all), connected }
+}
+
+/// The sentence before the `at`-th display, as it is printed.
+pub(super) fn sentence(notes: &Notes, at: usize) -> String {
+    let all = without_comments(&notes.source.text[range(notes, at)]);
+    last_sentence(&all).to_owned()
 }
 
 /// The displays that the words before the `at`-th display cite.

@@ -11,6 +11,7 @@
 //! | [`expansion`] | a formula as a sum of terms c·xⁿ·e^{γx²+αx+β}·sin(ωx+φ) |
 //! | [`definite`] | definite integrals |
 //! | `algebraic` | integrals of powers of linear and quadratic formulas |
+//! | `quadrature` | integrals without a known antiderivative, as numbers |
 //! | [`places`] | the ends of an interval, and the value of a formula at a place |
 //! | [`series`] | sums over a whole number up to a letter, or to infinity |
 
@@ -20,6 +21,8 @@ mod build;
 pub mod definite;
 pub mod expansion;
 pub mod places;
+#[cfg(feature = "notes")]
+pub mod quadrature;
 pub mod series;
 
 /// Why an integral or a sum has no formula.

@@ -57,6 +57,9 @@ pub enum Layout {
     /// A run of items that is declared to be one quantity, as LaTeX.
     #[cfg(feature = "notes")]
     Value(String),
+    /// Terms that are left out at the end of a sum, with what stands in `O(…)`.
+    #[cfg(feature = "notes")]
+    Rest(Option<Vec<Item>>),
     /// `\begin{name} … \end{name}`: rows of cells.
     Environment(String, Vec<Vec<Vec<Item>>>),
     /// `\\`

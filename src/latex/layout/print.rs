@@ -50,6 +50,8 @@ fn one(item: &Item) -> String {
         }
         Layout::Row => "\\\\".to_owned(),
         Layout::Align => "&".to_owned(),
+        Layout::Rest(None) => "\\dots".to_owned(),
+        Layout::Rest(Some(order)) => format!("O({})", latex(order)),
         Layout::Fault(_) => String::new(),
     }
 }

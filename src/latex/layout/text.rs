@@ -8,6 +8,7 @@ use super::super::macros::Macros;
 use super::super::normalize::normalized;
 use super::item::Item;
 use super::parser::layout;
+use super::rest::with_rests;
 
 /// The layout of a text, with its macros expanded and legacy commands normalized.
 ///
@@ -21,7 +22,7 @@ pub(crate) fn typeset_items(text: &str, macros: &Macros) -> Result<Vec<Item>, Fa
             .help("split it into several equations"));
     }
     let items = layout(&normalized(with_ellipses(macros.expand(tokens(text))?)), text.len());
-    Ok(macros.values.named(items))
+    Ok(with_rests(macros.values.named(items)))
 }
 
 /// Three points side by side are an ellipsis.

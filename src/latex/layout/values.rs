@@ -142,6 +142,31 @@ fn is_derivative(item: &Item) -> bool {
     matches!(&item.layout, Layout::Fraction(above, below) if is_differential(above) && is_differential(below))
 }
 
+/// The lists of items inside of an item.
+pub(crate) fn parts_of(item: &Item) -> Vec<&[Item]> {
+    match &item.layout {
+        Layout::Group(items) | Layout::Fence(_, items) => vec![items],
+        Layout::Scripts { nucleus, sup, .. } => {
+            let above = sup.iter().map(|sup| contents(sup));
+            std::iter::once(contents(nucleus)).chain(above).collect()
+        }
+        Layout::Fraction(above, below) => vec![contents(above), contents(below)],
+        Layout::Root(_, inner) | Layout::Accent(_, inner) | Layout::Style(_, inner) => vec![contents(inner)],
+        Layout::Environment(_, rows) => rows.iter().flatten().map(Vec::as_slice).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Whether a derivative stands in items: a quotient of differentials, ∂, ∇ or overdots.
+pub(crate) fn has_derivative(items: &[Item]) -> bool {
+    items.iter().any(|item| {
+        let mark = |name: &str| name == "\\partial" || name == "\\nabla" || name.ends_with("dot") && name != "\\cdot";
+        let is_mark = matches!(&item.layout, Layout::Command(name) | Layout::Accent(name, _) if mark(name));
+        let is_primed = matches!(&item.layout, Layout::Scripts { primes: 1.., .. });
+        is_mark || is_primed || is_derivative(item) || parts_of(item).into_iter().any(has_derivative)
+    })
+}
+
 /// Whether an item begins what reaches to the end of its term.
 pub(crate) fn is_operator(item: &Item) -> bool {
     let nucleus = match &item.layout {
@@ -152,7 +177,8 @@ pub(crate) fn is_operator(item: &Item) -> bool {
         if ["\\sum", "\\prod", "\\int", "\\iint", "\\iiint", "\\oint", "\\lim"].contains(&name.as_str()))
 }
 
-fn is_integral(item: &Item) -> bool {
+/// Whether an item is a sign of an integral.
+pub(crate) fn is_integral(item: &Item) -> bool {
     let nucleus = match &item.layout {
         Layout::Scripts { nucleus, .. } => nucleus,
         _ => item,

@@ -181,6 +181,9 @@ impl Arithmetic for Enclosure {
     fn pi() -> Self {
         Self::kept(Precision::pi)
     }
+    fn uncertain(_error: f64) -> Option<Self> {
+        None
+    }
     fn real(self) -> f64 {
         self.asked(Ball::value).unwrap_or(f64::NAN)
     }

@@ -44,6 +44,9 @@ impl<F: Modulus> Arithmetic for Modular<F> {
         Self::of_constant(Evaluation::half_turn)
     }
 
+    fn uncertain(_error: f64) -> Option<Self> {
+        None
+    }
     fn real(self) -> f64 {
         match with_evaluation(|evaluation| self.ratio(evaluation)) {
             Some(ratio) => ratio.value(),

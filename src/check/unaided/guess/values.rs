@@ -7,7 +7,7 @@ use crate::check::document::unreadable::faults;
 use crate::check::unaided::guess::names::Usage;
 use crate::code::Code;
 use crate::formula::symbols::Name;
-use crate::latex::layout::values::{ends_term, is_d, is_nabla, is_operator, is_value, is_vector, text_of};
+use crate::latex::layout::values::{ends_term, is_d, is_nabla, is_operator, is_value, is_vector, parts_of, text_of};
 use crate::latex::layout::{Delimiter, Item, Layout, typeset_items};
 use crate::latex::{Macros, Reading, names};
 use crate::notes::Notes;
@@ -146,21 +146,6 @@ fn around(items: &[Item], place: Span) -> Option<Vec<Item>> {
         return is_name.then(|| run(first, end)).flatten();
     }
     run(first, last + 1).or_else(|| run(first, (last + 2).min(items.len())))
-}
-
-/// The lists of items inside of an item.
-fn parts_of(item: &Item) -> Vec<&[Item]> {
-    match &item.layout {
-        Layout::Group(items) | Layout::Fence(_, items) => vec![items],
-        Layout::Scripts { nucleus, sup, .. } => {
-            let above = sup.iter().map(|sup| contents(sup));
-            std::iter::once(contents(nucleus)).chain(above).collect()
-        }
-        Layout::Fraction(above, below) => vec![contents(above), contents(below)],
-        Layout::Root(_, inner) | Layout::Accent(_, inner) | Layout::Style(_, inner) => vec![contents(inner)],
-        Layout::Environment(_, rows) => rows.iter().flatten().map(Vec::as_slice).collect(),
-        _ => Vec::new(),
-    }
 }
 
 fn contents(item: &Item) -> &[Item] {

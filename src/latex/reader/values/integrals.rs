@@ -2,11 +2,12 @@
 //!
 //! An integral reaches to its differential. If that is first, or in a fraction, it reaches to the end of the term.
 
+use crate::formula::SymbolId;
 use crate::formula::calculus::NoFormula;
 use crate::formula::calculus::definite::integral;
-use crate::formula::calculus::places::{End, at};
+use crate::formula::calculus::places::{End, at, depends_on};
 use crate::formula::symbols::Name;
-use crate::formula::tree::Expr;
+use crate::formula::tree::{Definite, Expr, Node};
 use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Item, Layout};
@@ -60,7 +61,13 @@ impl Reader<'_> {
         }
         self.without_any_function(&body)?;
         let found = integral(&body, bound.id, (&ends.0, &ends.1), span);
-        found.map(|formula| Some(as_step(formula))).map_err(|reason| refused(reason, sign.span.to(span)))
+        match found {
+            Ok(formula) => Ok(Some(as_step(formula))),
+            Err(reason) => by_quadrature(&body, bound.id, ends, span)
+                .filter(|_| reason == NoFormula::Unknown)
+                .map(Some)
+                .ok_or_else(|| refused(reason, sign.span.to(span))),
+        }
     }
 
     /// The number of items of a term that begins with an integral whose integrand is a sum without parentheses.
@@ -158,6 +165,23 @@ fn count_of_d(items: &[Item]) -> usize {
         _ => 0,
     };
     items.iter().map(inside).sum()
+}
+
+/// An integral whose value is found by quadrature. One inside it that contains its letter would take too long.
+fn by_quadrature(body: &Expr, letter: SymbolId, (lower, upper): (End, End), span: Span) -> Option<Expr> {
+    let mut is_double = false;
+    body.walk(&mut |part| is_double |= matches!(part.node, Node::Definite(_)) && depends_on(part, letter));
+    let place = |end: End| match end {
+        End::At(place) => Some(place),
+        End::Infinity | End::MinusInfinity => None,
+    };
+    let is_backwards = lower == End::Infinity || upper == End::MinusInfinity;
+    if is_double || is_backwards || place(lower.clone()).is_none() && lower == upper {
+        return None;
+    }
+    let own = Expr::new(Node::Letter(letter), span);
+    let of = Definite { letter, lower: place(lower), upper: place(upper), integrand: at(body, letter, &own) };
+    Some(Expr::new(Node::Definite(Box::new(of)), span))
 }
 
 fn refused(reason: NoFormula, span: Span) -> Fault {

@@ -1,9 +1,11 @@
-//! Sums, integrals and bars that have a value: each is read as a formula without Σ, ∫ and bars. Units after numbers.
+//! Sums, integrals and bars that have a value: each is read as a formula without Σ, ∫ and bars. Units after numbers, and
+//! terms that are left out.
 //!
 //! | file | what is read there |
 //! | --- | --- |
 //! | `sums` | `\sum_{k=1}^{n} k^2`, `\prod_{k=1}^{3} k`, `\sum_{k=0}^{\infty} x^k` over letters that are no declared indices |
 //! | `integrals` | `\int_0^a x\,dx`, `\int_0^\infty e^{-ax}\,dx` |
+//! | `rests` | `+ \dots`, `+ O(x^3)` |
 //! | `units` | units after numbers |
 //! | `bars` | `\left. f \right|_{x=a}`, `[F]_a^b` |
 //!
@@ -12,6 +14,7 @@
 
 mod bars;
 mod integrals;
+mod rests;
 mod sums;
 mod units;
 

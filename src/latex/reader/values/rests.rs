@@ -1,0 +1,53 @@
+//! Terms that are left out at the end of a sum, `+ \dots` and `+ O(x^3)`: the powers that an order names.
+
+use crate::formula::SymbolId;
+use crate::formula::symbols::Name;
+use crate::formula::tree::{Expr, Node};
+use crate::source::Fault;
+
+use super::super::super::layout::{Item, Layout};
+use super::super::state::{Read, Reader};
+
+impl Reader<'_> {
+    /// The term that stands for terms which are left out, if it is one.
+    pub(in super::super) fn rest(&mut self, items: &[Item]) -> Read<Option<Expr>> {
+        let mut significant = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+        let (Some(Item { layout: Layout::Rest(order), span }), None) = (significant.next(), significant.next()) else {
+            return Ok(None);
+        };
+        let Some(order) = order else { return Ok(Some(Expr::new(Node::Rest(Vec::new()), *span))) };
+        if self.symbols.find(&Name::plain("O")).is_some() && !self.symbols.open {
+            return Err(Fault::ambiguous(*span, "O may be an order or the declared symbol").help("rename the symbol O"));
+        }
+        let order = self.sum(order, *span)?;
+        let mut powers = Vec::new();
+        match collect(&order, 1, &mut powers) {
+            Some(()) => Ok(Some(Expr::new(Node::Rest(powers), *span))),
+            None => Err(Fault::unsupported(*span, "an order is a product of whole powers, such as O(x^3)")),
+        }
+    }
+}
+
+/// The whole powers of the symbols of a product.
+fn collect(expr: &Expr, times: i32, powers: &mut Vec<(SymbolId, i32)>) -> Option<()> {
+    match &expr.node {
+        Node::Number(_) | Node::Pi => Some(()),
+        Node::Symbol { id, indices, dots: 0 } if indices.is_empty() => {
+            match powers.iter_mut().find(|(known, _)| known == id) {
+                Some((_, power)) => *power = power.checked_add(times)?,
+                None => powers.push((*id, times)),
+            }
+            Some(())
+        }
+        Node::Product(factors) => factors.iter().try_for_each(|factor| collect(factor, times, powers)),
+        Node::Quotient(above, below) => {
+            collect(above, times, powers)?;
+            collect(below, times.checked_neg()?, powers)
+        }
+        Node::Power(base, exponent) => {
+            let exponent: i32 = exponent.as_digits()?.parse().ok()?;
+            collect(base, times.checked_mul(exponent)?, powers)
+        }
+        _ => None,
+    }
+}
