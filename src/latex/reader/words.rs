@@ -71,6 +71,12 @@ pub(super) fn are_no_words(items: &[Item], open: bool, is_abstract: bool) -> Rea
 fn start(item: &Item) -> Option<(String, Span)> {
     match &item.layout {
         Layout::Letter(c) => Some((c.to_string(), item.span)),
+        // The e of an exponential is no letter of a name: `Pe^{-i\omega t}`.
+        Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 }
+            if nucleus.layout == Layout::Letter('e') && !is_numeric(sup) =>
+        {
+            None
+        }
         Layout::Scripts { nucleus, .. } => match nucleus.layout {
             Layout::Letter(c) => Some((c.to_string(), nucleus.span)),
             _ => None,
