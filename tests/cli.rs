@@ -55,6 +55,8 @@ mod typst;
 mod unaided;
 #[path = "cli/unaided_premises.rs"]
 mod unaided_premises;
+#[path = "cli/unaided_readings.rs"]
+mod unaided_readings;
 #[path = "cli/unaided_sentences.rs"]
 mod unaided_sentences;
 #[path = "cli/unaided_solutions.rs"]

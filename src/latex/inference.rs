@@ -216,7 +216,7 @@ impl Evidence {
             self.possible.push((name.clone(), inside.collect()));
         }
         let arguments: Vec<&[Item]> = inside.split(is_comma).collect();
-        let never = ["\\pi", "\\Delta", "\\delta", "d", "\\mathrm{d}", "e", "\\mathrm{e}", "\\epsilon"];
+        let never = ["\\pi", "\\hbar", "\\Delta", "\\delta", "d", "\\mathrm{d}", "e", "\\mathrm{e}", "\\epsilon"];
         // `\pi(t, x)` is a momentum, `\delta^3(r - r')` a distribution.
         let is_list = ["\\pi", "\\epsilon"].contains(&name.base.as_str()) && arguments.len() > 1;
         let is_distribution =

@@ -90,6 +90,14 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
                 let labelled = end + 1 + words(&tokens[end + 1..]);
                 // A label with mathematics in it is neither a power nor a subscript: the reader rejects the brace.
                 let is_script = |token: &Token| matches!(token.kind, TokenKind::Sub | TokenKind::Super);
+                // So it does where statements stand over the brace, which are no term.
+                let inside = &tokens[open + 1..end];
+                let is_statement = |at: &usize| is_relation(&inside[*at..=*at]) && depth(&inside[..*at]) == 0;
+                if (0..inside.len()).any(|at| is_statement(&at)) {
+                    into.push(token.clone());
+                    group(tokens, open, end, into);
+                    return end + 1;
+                }
                 if tokens.get(labelled).is_some_and(is_script) {
                     into.push(token.clone());
                 }

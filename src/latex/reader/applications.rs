@@ -103,7 +103,7 @@ impl Reader<'_> {
         let entry = self.symbols.entry(id);
         // `y[p_z, z]` has a commutator in it.
         let is_pair = !matches!(fence.layout, Layout::Fence(Delimiter::Round, _)) && inside.iter().any(is_comma);
-        let is_plain = ["\\pi", "e", "d"].contains(&entry.name.base.as_str());
+        let is_plain = ["\\pi", "\\hbar", "e", "d"].contains(&entry.name.base.as_str());
         let is_call =
             is_list && inside.iter().all(is_place) && matches!(fence.layout, Layout::Fence(Delimiter::Round, _));
         let is_vector = entry.kind == Kind::Vector || entry.kind == Kind::Abstract;
@@ -248,6 +248,10 @@ impl Reader<'_> {
         let Some((fence, inside)) = parenthesis(next) else { return Ok(()) };
         let entry = self.symbols.entry(id);
         let name = &entry.name;
+        // ħ is no function.
+        if self.symbols.open && name.base == "\\hbar" && !inside.iter().any(|item| relation_or_comma(item)) {
+            return Ok(());
+        }
         let is_powered = !matches!(next.layout, Layout::Fence(..));
         // What does not vary is no function of anything: `m (r_\perp)^2`.
         let is_factor = is_powered && !self.symbols.open && (!entry.varies || entry.steady) && !is_function(entry);

@@ -326,8 +326,10 @@ impl Reader<'_> {
                         return Err(Fault::new(place, message).help("write 0 there, or remove an &"));
                     }
                 }
-                let rows: Read<Vec<Vec<Expr>>> =
-                    rows.iter().map(|row| row.iter().map(|cell| self.cell(cell, span)).collect()).collect();
+                let rows: Read<Vec<Vec<Expr>>> = rows
+                    .iter()
+                    .map(|row| row.iter().map(|cell| self.cell(without_stop(cell), span)).collect())
+                    .collect();
                 let rows = rows?;
                 match rows.iter().find(|row| row.len() != rows[0].len()) {
                     Some(_) if !self.is_abstract() => {
@@ -339,6 +341,12 @@ impl Reader<'_> {
             _ => Err(Fault::unsupported(span, format!("the environment {name} is not supported here"))),
         }
     }
+}
+
+/// A cell without the full stop or the comma at its end.
+fn without_stop(cell: &[Item]) -> &[Item] {
+    let is_mark = |item: &Item| matches!(item.layout, Layout::Other('.' | ',' | ';') | Layout::Space(_));
+    &cell[..cell.iter().rposition(|item| !is_mark(item)).map_or(cell.len(), |at| at + 1)]
 }
 
 /// Whether an environment lists cases.

@@ -415,7 +415,9 @@ impl Reader<'_> {
 fn is_inexact(item: &Item) -> bool {
     match &item.layout {
         Layout::Other(c) => *c == 'đ',
-        Layout::Accent(accent, inner) => accent == "\\bar" && differential(inner) == Some(1),
+        Layout::Accent(accent, inner) => {
+            accent == "\\bar" && matches!(contents(inner), [only] if differential(only) == Some(1))
+        }
         _ => false,
     }
 }

@@ -6,6 +6,7 @@ use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Delimiter, Item, Layout};
 use super::super::super::names;
+use super::super::super::rows::relation;
 use super::super::items::{contents, differential, joint, whole_number};
 use super::super::state::{Read, Reader};
 use super::{is_prose, printed};
@@ -91,6 +92,13 @@ impl Reader<'_> {
             }
             "\\overset" | "\\underset" | "\\stackrel" => {
                 let Some(base) = items.get(*cursor + 2) else { return Ok(None) };
+                if contents(base).iter().any(|item| relation(item).is_some()) {
+                    return Err(Fault::unsupported(
+                        item.span.to(base.span),
+                        "an equality with a question mark states nothing",
+                    )
+                    .help("write the relation alone, if it is meant to hold"));
+                }
                 *cursor += 3;
                 let inner = self.item(base)?;
                 let template = format!("{name}{{{}}}{{#}}", printed(contents(next)));
@@ -419,12 +427,14 @@ fn mark_alone(item: &Item) -> Option<&'static str> {
         Layout::Command(name) if name == "\\delta" => Some("\\delta"),
         Layout::Letter('D') => Some("D"),
         // `\frac{\tilde d}{dt}`: another derivative by the time.
-        Layout::Accent(accent, inner) if differential(inner) == Some(1) => match accent.as_str() {
-            "\\tilde" => Some("\\tilde{d}"),
-            "\\hat" => Some("\\hat{d}"),
-            "\\bar" => Some("\\bar{d}"),
-            _ => None,
-        },
+        Layout::Accent(accent, inner) if matches!(contents(inner), [only] if differential(only) == Some(1)) => {
+            match accent.as_str() {
+                "\\tilde" => Some("\\tilde{d}"),
+                "\\hat" => Some("\\hat{d}"),
+                "\\bar" => Some("\\bar{d}"),
+                _ => None,
+            }
+        }
         Layout::Style(style, inner)
             if style == "\\mathrm" && matches!(contents(inner), [Item { layout: Layout::Letter('D'), .. }]) =>
         {
