@@ -57,6 +57,8 @@ mod unaided;
 mod unaided_contradictions;
 #[path = "cli/unaided_premises.rs"]
 mod unaided_premises;
+#[path = "cli/unaided_readings.rs"]
+mod unaided_readings;
 #[path = "cli/unaided_sentences.rs"]
 mod unaided_sentences;
 #[path = "cli/unaided_series.rs"]

@@ -1,5 +1,6 @@
-//! The name of a symbol, as it is printed, and the kind of value that it stands for.
+//! The name of a symbol, as it is printed, the kind of value that it stands for, and what its use shows.
 
+use std::collections::{HashMap, HashSet};
 use std::fmt;
 
 /// A name as printed, which identifies a symbol.
@@ -103,4 +104,49 @@ impl Kind {
             Kind::Matrix(rows, columns) => usize::from(rows) * usize::from(columns),
         }
     }
+}
+
+/// What was inferred from the use of letters.
+#[derive(Clone, Debug, Default)]
+pub struct Inferred {
+    /// The functions, without primes, with their arguments as LaTeX where those are names.
+    pub functions: HashMap<Name, Option<String>>,
+    /// Whether d before a letter is a differential.
+    pub differentials: bool,
+    /// Whether δ before a letter is a variation.
+    pub variations: bool,
+    /// Whether the display shows that δ before a letter is a variation.
+    pub varies: bool,
+    /// Whether δ before a letter is a factor in the display, as in −δ v − α x.
+    pub has_coefficient: bool,
+    /// Whether Δ stands in the display as a quantity of its own.
+    pub has_difference_alone: bool,
+    /// Letters that stand with a prime for another quantity, as r′ beside r.
+    pub letters: HashSet<Name>,
+    /// The letters that are matrices.
+    pub matrices: HashSet<String>,
+    /// Whether letters are inferred at all: where a display is read without declarations.
+    pub active: bool,
+    /// Whether the display is read for its structure only, since parts of it have no value.
+    pub abstractly: bool,
+    /// The letters that are indices somewhere in the display.
+    pub index_letters: HashSet<String>,
+    /// The letters above others that may be indices as well as powers, where the declarations are guesses.
+    pub unclear_letters: HashSet<String>,
+    /// The letters that have a 0 or a 1 above them somewhere, as components have and powers have not.
+    pub component_letters: HashSet<String>,
+    /// Whether letters have two indices somewhere in the display, so that a letter above may be one too.
+    pub has_tensors: bool,
+    /// Whether letters with a hat are operators.
+    pub has_operators: bool,
+    /// Whether i is a factor that must be √−1, whatever it is elsewhere.
+    pub imaginary_factor: bool,
+    /// Whether e is a charge: it stands beside ħ, ε₀ or c, and never has an exponent of letters.
+    pub charge: bool,
+    /// Whether states of quantum mechanics stand in the display, beside which i is √−1.
+    pub has_states: bool,
+    /// Whether a T above a letter is a transpose.
+    pub has_transposes: bool,
+    /// Each inference in words.
+    pub said: Vec<String>,
 }

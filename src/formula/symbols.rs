@@ -5,13 +5,13 @@
 //! `\hat e_2` and `\hat e_b` are found as well. The meaning of a symbol (a coordinate, the Lagrangian, …) is not stored
 //! here; `check` stores it by [`SymbolId`].
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use crate::suggest;
 
 use super::ids::{Index, IndexId, Variable};
-pub use super::name::{Kind, Name};
+pub use super::name::{Inferred, Kind, Name};
 pub use super::operators::Operator;
 use super::tree::{Expr, Node};
 
@@ -113,43 +113,6 @@ pub struct IndexEntry {
     pub labels: bool,
 }
 
-/// What was inferred from the use of letters.
-#[derive(Clone, Debug, Default)]
-pub struct Inferred {
-    /// The functions, without primes, with their arguments as LaTeX where those are names.
-    pub functions: HashMap<Name, Option<String>>,
-    /// Whether d before a letter is a differential.
-    pub differentials: bool,
-    /// Whether δ before a letter is a variation.
-    pub variations: bool,
-    /// Letters that stand with a prime for another quantity, as r′ beside r.
-    pub letters: HashSet<Name>,
-    /// The letters that are matrices.
-    pub matrices: HashSet<String>,
-    /// Whether letters are inferred at all: where a display is read without declarations.
-    pub active: bool,
-    /// Whether the display is read for its structure only, since parts of it have no value.
-    pub abstractly: bool,
-    /// The letters that are indices somewhere in the display.
-    pub index_letters: HashSet<String>,
-    /// The letters that have a 0 or a 1 above them somewhere, as components have and powers have not.
-    pub component_letters: HashSet<String>,
-    /// Whether letters have two indices somewhere in the display, so that a letter above may be one too.
-    pub has_tensors: bool,
-    /// Whether letters with a hat are operators.
-    pub has_operators: bool,
-    /// Whether i is a factor that must be √−1, whatever it is elsewhere.
-    pub imaginary_factor: bool,
-    /// Whether e is a charge: it stands beside ħ, ε₀ or c, and never has an exponent of letters.
-    pub charge: bool,
-    /// Whether states of quantum mechanics stand in the display, beside which i is √−1.
-    pub has_states: bool,
-    /// Whether a T above a letter is a transpose.
-    pub has_transposes: bool,
-    /// Each inference in words.
-    pub said: Vec<String>,
-}
-
 /// The symbol table of a document.
 #[derive(Clone, Debug, Default)]
 pub struct Symbols {
@@ -166,6 +129,8 @@ pub struct Symbols {
     /// Whether an unknown name is added as a real number (formulas without a file). If false, it is a fault
     /// (documents).
     pub open: bool,
+    /// Whether the declarations are guesses, so that nothing may be read by them that people read in two ways.
+    pub guessed: bool,
     /// Whether a display of which parts have no value, such as operators and tensors, may be read for its structure.
     pub may_be_abstract: bool,
     /// Whether a number with a unit defines the name beside it. First the names are sought that formulas define.

@@ -58,14 +58,15 @@ pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
         said.push("d before a letter is a differential".to_owned());
         symbols.inferred.differentials = true;
     }
-    let Inferred { said, .. } = &mut symbols.inferred;
-    if variations.are_sure(1) || is_abstract && !variations.names.is_empty() {
-        said.push("δ before a letter is a variation".to_owned());
+    let are_variations = variations.are_sure(1) || is_abstract && !variations.names.is_empty();
+    if are_variations && !symbols.inferred.has_coefficient {
+        symbols.inferred.said.push("δ before a letter is a variation".to_owned());
         symbols.inferred.variations = true;
     }
     symbols.inferred.matrices.extend(matrices);
     if is_abstract {
         structure::note(items, &mut symbols.inferred);
+        structure::note_indices(items, &mut symbols.inferred);
     }
 }
 
@@ -215,7 +216,7 @@ impl Evidence {
             self.possible.push((name.clone(), inside.collect()));
         }
         let arguments: Vec<&[Item]> = inside.split(is_comma).collect();
-        let never = ["\\pi", "\\Delta", "\\delta", "d", "\\mathrm{d}", "e", "\\mathrm{e}", "\\epsilon"];
+        let never = ["\\pi", "\\hbar", "\\Delta", "\\delta", "d", "\\mathrm{d}", "e", "\\mathrm{e}", "\\epsilon"];
         // `\pi(t, x)` is a momentum, `\delta^3(r - r')` a distribution.
         let is_list = ["\\pi", "\\epsilon"].contains(&name.base.as_str()) && arguments.len() > 1;
         let is_distribution =

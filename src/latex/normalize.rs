@@ -32,6 +32,7 @@ fn is_old(token: &Token) -> bool {
         "\\overbrace",
         "\\stackrel",
         "\\overset",
+        "\\displaylines",
     ];
     forms.contains(&name.as_str()) || switch(name).is_some()
 }
@@ -65,7 +66,8 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
     let after = |at: usize| Some(at).filter(|at| tokens.get(*at).is_some_and(|next| next.kind == TokenKind::Open));
     let argument = |at: usize| after(at).and_then(|open| Some((open, closed(tokens, open)?)));
     match name.as_str() {
-        "\\boxed" | "\\fbox" => match argument(at + 1) {
+        "\\left" => sized(tokens, at, into),
+        "\\boxed" | "\\fbox" | "\\displaylines" => match argument(at + 1) {
             Some((open, end)) => {
                 unwrapped(tokens, open, end, into);
                 end + 1
@@ -88,6 +90,14 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
                 let labelled = end + 1 + words(&tokens[end + 1..]);
                 // A label with mathematics in it is neither a power nor a subscript: the reader rejects the brace.
                 let is_script = |token: &Token| matches!(token.kind, TokenKind::Sub | TokenKind::Super);
+                // So it does where statements stand over the brace, which are no term.
+                let inside = &tokens[open + 1..end];
+                let is_statement = |at: &usize| is_relation(&inside[*at..=*at]) && depth(&inside[..*at]) == 0;
+                if (0..inside.len()).any(|at| is_statement(&at)) {
+                    into.push(token.clone());
+                    group(tokens, open, end, into);
+                    return end + 1;
+                }
                 if tokens.get(labelled).is_some_and(is_script) {
                     into.push(token.clone());
                 }
@@ -97,7 +107,11 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
             None => at + 1,
         },
         "\\stackrel" | "\\overset" => {
-            let relation = argument(at + 1).and_then(|(_, end)| argument(end + 1));
+            // A relation with a question mark above it states nothing.
+            let is_mark = |token: &Token| token.kind == TokenKind::Other('?');
+            let is_asked = |open: usize, end: usize| tokens[open..end].iter().any(is_mark);
+            let label = argument(at + 1).filter(|(open, end)| !is_asked(*open, *end));
+            let relation = label.and_then(|(_, end)| argument(end + 1));
             match relation.filter(|(open, end)| is_relation(&tokens[open + 1..*end])) {
                 Some((open, end)) => {
                     into.extend_from_slice(&tokens[open + 1..end]);
@@ -140,6 +154,49 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
             at + 1
         }
     }
+}
+
+/// Rewrites what stands between `\left` and its `\right`, where TeX lets `\over` divide all there is, as in a group. Returns the
+/// position of what follows.
+fn sized(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
+    let is = |token: &Token, wanted: &str| matches!(&token.kind, TokenKind::Command(name) if name == wanted);
+    let mut inner = 0_usize;
+    let right = (at + 1..tokens.len()).find(|next| {
+        let token = &tokens[*next];
+        inner += usize::from(is(token, "\\left"));
+        let closes = is(token, "\\right");
+        let found = closes && inner == 0;
+        inner -= usize::from(closes && inner > 0);
+        found
+    });
+    let content = at + 2;
+    let over = right.and_then(|right| {
+        let is_over = |next: &usize| is(&tokens[*next], "\\over") && depth(&tokens[content..*next]) == 0;
+        let is_outside = |next: &usize| {
+            let count = |wanted: &str| tokens[content..*next].iter().filter(|token| is(token, wanted)).count();
+            count("\\left") == count("\\right")
+        };
+        (content..right).find(|next| is_over(next) && is_outside(next)).map(|over| (over, right))
+    });
+    let Some((over, right)) = over else {
+        into.push(tokens[at].clone());
+        return at + 1;
+    };
+    let brace = |kind: TokenKind, span: Span| Token { kind, span };
+    let span = tokens[over].span;
+    let all = |from: usize, to: usize, into: &mut Vec<Token>| {
+        let mut next = from;
+        while next < to {
+            next = one(&tokens[..to], next, into);
+        }
+    };
+    into.extend([tokens[at].clone(), tokens[at + 1].clone(), brace(TokenKind::Command("\\frac".to_owned()), span)]);
+    into.push(brace(TokenKind::Open, span));
+    all(content, over, into);
+    into.extend([brace(TokenKind::Close, span), brace(TokenKind::Open, span)]);
+    all(over + 1, right, into);
+    into.push(brace(TokenKind::Close, span));
+    right
 }
 
 /// Rewrites a group: a fraction if it contains `\over`, one style if it begins with a style switch, else unchanged.
@@ -335,6 +392,9 @@ mod tests {
             ("{\\rm const}", "\\mathrm{const}"),
             ("a = \\rm kg\\,m^{-3}", "a = \\mathrm{kg\\,m^{-3}}"),
             ("9\\,\\rm m\\,s^{-2} + b", "9\\,\\mathrm{m\\,s^{-2}} + b"),
+            ("\\left({a b} \\over c\\right)", "\\left(\\frac{{a b}}{c}\\right)"),
+            ("\\left(x \\left[a \\over b\\right]\\right)", "\\left(x \\left[\\frac{a}{b}\\right]\\right)"),
+            ("\\displaylines{a = b \\\\ c = d}", "a = b \\\\ c = d"),
             ("{a + 2\\rm m s} b", "{a + 2\\mathrm{m\\,s}} b"),
             ("\\rm dx + \\rm d x", "\\mathrm d x + \\mathrm d x"),
             ("\\rm Tr A", "\\mathrm{Tr} A"),
@@ -355,6 +415,8 @@ mod tests {
         assert_ne!(shape("\\overbrace{a}^{2} + b"), shape("{a} + b"));
         assert_ne!(shape("\\overbrace{a}^{2} + b"), shape("{a}^{2} + b"));
         assert_ne!(shape("\\overset{!}{a} = b"), shape("a = b"));
+        assert_ne!(shape("a \\stackrel{?}{=} b"), shape("a = b"));
+        assert_ne!(shape("\\left(x {a \\over b}\\right)"), shape("\\left(\\frac{x a}{b}\\right)"));
         assert_ne!(shape("{a \\over b}"), shape("\\frac{b}{a}"));
         assert_ne!(shape("9\\rm m s"), shape("9\\mathrm m s"));
     }

@@ -56,6 +56,10 @@ impl Piece<'_> {
         Piece { links: Vec::new(), constant: None, conditions: Vec::new(), row, fault: None, comma: None }
     }
 
+    fn ends_with_a_relation(&self) -> bool {
+        self.links.last().is_some_and(|link| link.relation.is_some() && link.items.is_empty())
+    }
+
     /// Where it stands.
     pub(super) fn span(&self) -> Span {
         let spans = self.links.iter().flat_map(|link| {
@@ -113,9 +117,12 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
         }
         if is_abstract && is_remark(&items, at) {
             pieces.extend(current.take());
-            let mut remark = Piece::new(number);
-            remark.links.push(Link { relation: None, items: vec![item] });
-            pieces.push(remark);
+            // What stands in parentheses after all, or says where a result is from, is no statement.
+            if !is_aside(&items, at) {
+                let mut remark = Piece::new(number);
+                remark.links.push(Link { relation: None, items: vec![item] });
+                pieces.push(remark);
+            }
             comma = None;
             starts_row = false;
             at += 1;
@@ -142,14 +149,16 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
             .as_ref()
             .and_then(|piece| piece.links.last()?.items.iter().rev().find(is_significant))
             .is_some_and(|item| is_operator(item));
-        if let Some(span) = says_constant(item).filter(|_| !is_term) {
+        let spelled =
+            spelled_constant(&items, at).filter(|_| current.as_ref().is_some_and(Piece::ends_with_a_relation));
+        if let Some(span) = says_constant(item).or(spelled.map(|(span, _)| span)).filter(|_| !is_term) {
             if let Some(piece) = &mut current {
                 piece.constant = Some(span);
                 if piece.links.last().is_some_and(|link| link.items.is_empty()) {
                     piece.links.pop();
                 }
             }
-            at += 1;
+            at += spelled.map_or(1, |(_, length)| length);
             continue;
         }
         let found = match (&item.layout, items.get(at + 1).map(|next| &next.layout)) {
@@ -312,8 +321,7 @@ fn is_remark(items: &[&Item], at: usize) -> bool {
     // `= 1.65\,\omega \ (\text{over the whole range})`
     if let Layout::Fence(Delimiter::Round, inside) = &items[at].layout {
         const LONG: usize = 10;
-        let is_phrase =
-            |item: &Item| matches!(&item.layout, Layout::Text(word) if word.len() >= LONG && !is_unit(word));
+        let is_phrase = |item: &Item| matches!(&item.layout, Layout::Text(word) if !is_unit(word) && (word.len() >= LONG || is_prose(word)));
         let is_apart = at > 0 && matches!(items[at - 1].layout, Layout::Space(_));
         return is_apart && inside.iter().any(is_phrase);
     }
@@ -346,6 +354,25 @@ fn is_remark(items: &[&Item], at: usize) -> bool {
         && !begins_condition(items[at])
         && !before
         && !beside(items.iter().skip(at + 1))
+}
+
+/// Whether a remark only explains: words in parentheses, or words at the end of a row that restrict nothing.
+fn is_aside(items: &[&Item], at: usize) -> bool {
+    if at == 0 {
+        return false;
+    }
+    let is_last = items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_) | Layout::Other('.' | ',')));
+    match &items[at].layout {
+        Layout::Fence(..) => is_last,
+        // `\text{ by hypothesis}`, `\text{using the chain rule}`; spaces are left out of a text.
+        Layout::Text(word) => {
+            is_last
+                && ["by", "using", "from", "since"]
+                    .iter()
+                    .any(|first| word.len() > first.len() + 3 && word.starts_with(first))
+        }
+        _ => false,
+    }
 }
 
 /// A number, or a power of one.
@@ -423,6 +450,19 @@ fn separates(item: &Item) -> bool {
         ),
         _ => false,
     }
+}
+
+/// The letters of `constant` or `const` at the end of a side, with their number.
+fn spelled_constant(items: &[&Item], at: usize) -> Option<(Span, usize)> {
+    let letter = |item: &&Item| match item.layout {
+        Layout::Letter(c) => Some(c),
+        _ => None,
+    };
+    let word: String = items[at..].iter().map_while(|item| letter(item)).collect();
+    let last = items.get(at + word.len().checked_sub(1)?)?;
+    let ends = items.get(at + word.len()).is_none_or(|next| separates(next) || matches!(next.layout, Layout::Space(_)));
+    (ends && ["constant", "const", "Constant"].contains(&word.as_str()))
+        .then(|| (items[at].span.to(last.span), word.len()))
 }
 
 /// `\text{ is constant}`, `\mathrm{const}`.

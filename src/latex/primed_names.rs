@@ -5,7 +5,9 @@
 //! | evidence | names with a prime |
 //! | --- | --- |
 //! | t′, the time itself has a prime; or x′^μ, an index of space and time | all |
-//! | γ before a parenthesis with a sum, as in `\gamma(x - vt)` | all |
+//! | γ before a parenthesis with a sum, as in `\gamma(x - vt)`; Λ before a letter | all |
+//! | a place that a product with the time is taken from, `x' = x - vt`; a bold letter with a prime and an index | all |
+//! | an energy that is its unprimed one and more, `U' = U + ma x` | these |
 //! | two of them, beside a sine and a cosine: a rotation | all |
 //! | L, H and calligraphic letters; λ, ν; a velocity, a momentum or an energy with a number below, at least two | these |
 //!
@@ -14,7 +16,15 @@
 use crate::formula::symbols::Name;
 
 use super::layout::{Delimiter, Item, Layout};
-use super::names;
+use super::lexer::Space;
+use super::names::{self, Printed};
+use super::rows::relation;
+
+/// Speeds of one frame in another.
+const SPEEDS: [&str; 5] = ["v", "u", "V", "w", "\\beta"];
+
+/// Energies, whose change is no derivative.
+const ENERGIES: [&str; 6] = ["U", "T", "E", "K", "W", "Q"];
 
 /// The names, without their primes, that stand with a prime for another quantity.
 pub(super) fn letters(items: &[Item]) -> Vec<Name> {
@@ -25,12 +35,13 @@ pub(super) fn letters(items: &[Item]) -> Vec<Name> {
     }
     let unprimed = |name: &Name| Name { primes: 0, ..name.clone() };
     let is_rotation = found.primed.len() > 1 && found.has_sine && found.has_cosine;
-    if found.has_time || found.has_index || found.has_lorentz || is_rotation {
+    if found.has_time || found.has_index || found.has_lorentz || found.has_frame || is_rotation {
         return found.primed.iter().map(unprimed).collect();
     }
     let of_particles: Vec<&Name> = found.primed.iter().filter(|name| is_of_a_particle(name)).collect();
     let several = of_particles.len() > 1;
-    found.primed.iter().filter(|name| is_usual(name) || several && is_of_a_particle(name)).map(unprimed).collect()
+    let is_other = |name: &&Name| is_usual(name) || several && is_of_a_particle(name) || found.shifted.contains(name);
+    found.primed.iter().filter(is_other).map(unprimed).collect()
 }
 
 /// A velocity, a momentum or an energy with a number below it, `v_1'`.
@@ -53,15 +64,58 @@ struct Found {
     has_time: bool,
     has_index: bool,
     has_lorentz: bool,
+    /// Whether a place is seen from another frame, or a vector has a prime and an index.
+    has_frame: bool,
+    /// Energies that are equal to a sum with the unprimed one in it.
+    shifted: Vec<Name>,
     has_sine: bool,
     has_cosine: bool,
 }
 
 impl Found {
     fn list(&mut self, items: &[Item]) {
+        self.statements(items);
         for (at, item) in items.iter().enumerate() {
             let next = items[at + 1..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
             self.one(item, next);
+        }
+    }
+
+    /// A primed name alone before a relation, after which the unprimed name stands as a term.
+    fn statements(&mut self, items: &[Item]) {
+        let ends =
+            |item: &Item| matches!(item.layout, Layout::Row | Layout::Other(',' | ';') | Layout::Space(Space::Wide));
+        let is_blank = |item: &&Item| !matches!(item.layout, Layout::Space(_) | Layout::Align | Layout::Other('.'));
+        for statement in items.split(ends) {
+            let solid: Vec<&Item> = statement.iter().filter(is_blank).collect();
+            let [first, equal, right @ ..] = solid.as_slice() else { continue };
+            let Some(Printed { name, dots: 0, sup: None }) = names::printed(first, None) else { continue };
+            if name.primes != 1 || relation(equal).is_none() {
+                continue;
+            }
+            let plain = Name { primes: 0, ..name.clone() };
+            let is_sign = |item: &&Item| matches!(item.layout, Layout::Other('+' | '-'));
+            let terms: Vec<&[&Item]> = right.split(is_sign).collect();
+            let named =
+                |item: &Item| names::printed(item, None).filter(|found| found.sup.is_none()).map(|found| found.name);
+            let is_itself = |term: &&[&Item]| matches!(term, [only] if named(only).is_some_and(|found| found == plain));
+            if terms.len() < 2 || !terms.iter().any(is_itself) {
+                continue;
+            }
+            let is_way = |term: &&[&Item]| match term {
+                [speed, time] => {
+                    let base = |item: &Item| named(item).map(|found| found.base);
+                    base(time).as_deref() == Some("t")
+                        && base(speed).is_some_and(|base| {
+                            SPEEDS.iter().any(|speed| base == *speed || base.ends_with(&format!("{{{speed}}}")))
+                        })
+                }
+                _ => false,
+            };
+            self.has_frame |= terms.iter().any(is_way);
+            if ENERGIES.contains(&name.base.as_str()) {
+                self.shifted.push(name);
+            }
         }
     }
 
@@ -73,6 +127,9 @@ impl Found {
             self.has_lorentz |= name.base == "\\gamma"
                 && matches!(next, Some(Item { layout: Layout::Fence(Delimiter::Round | Delimiter::Square, inside), .. })
                     if is_sum(inside));
+            let is_vector = ["\\mathbf{", "\\vec{", "\\hat{"].iter().any(|mark| name.base.starts_with(mark));
+            self.has_frame |= is_vector && name.primes == 1 && name.subscript.len() == 1;
+            self.has_frame |= name.base == "\\Lambda" && next.is_some_and(|next| names::printed(next, None).is_some());
             self.has_second |= name.primes > 1;
             if name.primes == 1 {
                 self.has_time |= ["t", "\\Delta t"].contains(&name.base.as_str());

@@ -28,18 +28,13 @@ pub(super) struct Row<'a> {
 ///
 /// In a display that is read for its structure, such an environment may also be one row among others, or end a row.
 pub(super) fn rows(items: &[Item], is_abstract: bool) -> Vec<Row<'_>> {
-    let significant: Vec<&Item> =
-        items.iter().filter(|item| !matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ','))).collect();
-    let cells: Vec<Vec<Vec<&Item>>> = match significant.as_slice() {
-        [Item { layout: Layout::Environment(name, rows), .. }]
-            if matches!(
-                name.trim_end_matches('*'),
-                "aligned" | "split" | "gathered" | "align" | "gather" | "alignedat" | "equation" | "eqnarray"
-            ) || is_system(name, rows) =>
-        {
-            rows.iter().map(|row| row.iter().map(|cell| cell.iter().collect()).collect()).collect()
+    let cells: Vec<Vec<Vec<&Item>>> = match whole(items) {
+        // `\begin{equation}\begin{split} … \end{split}\end{equation}`
+        Some([row]) if matches!(row.as_slice(), [cell] if whole(cell).is_some()) => {
+            return self::rows(&row[0], is_abstract);
         }
-        _ => items
+        Some(rows) => rows.iter().flat_map(|row| inner_rows(row, is_abstract)).collect(),
+        None => items
             .split(|item| item.layout == Layout::Row)
             .flat_map(|row| if is_abstract { flattened(row) } else { vec![cells_of(row)] })
             .collect(),
@@ -56,6 +51,40 @@ pub(super) fn rows(items: &[Item], is_abstract: bool) -> Vec<Row<'_>> {
         rows.push(Row { items: side_by_side(cells), is_aligned, is_indented, follows_stop });
     }
     rows
+}
+
+/// The rows of a row of an environment: in `gather` it may have rows of its own.
+fn inner_rows(row: &[Vec<Item>], is_abstract: bool) -> Vec<Vec<Vec<&Item>>> {
+    match row {
+        [cell] if is_abstract => flattened(cell),
+        _ => vec![row.iter().map(|cell| cell.iter().collect()).collect()],
+    }
+}
+
+/// The rows of the environment that is all there is, if they are statements.
+fn whole(items: &[Item]) -> Option<&[Vec<Vec<Item>>]> {
+    let mut significant =
+        items.iter().filter(|item| !matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ',')));
+    let (Some(Item { layout: Layout::Environment(name, rows), .. }), None) = (significant.next(), significant.next())
+    else {
+        return None;
+    };
+    let has_rows = matches!(
+        name.trim_end_matches('*'),
+        "aligned"
+            | "split"
+            | "gathered"
+            | "align"
+            | "gather"
+            | "alignedat"
+            | "equation"
+            | "eqnarray"
+            | "multline"
+            | "flalign"
+            | "multlined"
+            | "displaymath"
+    );
+    (has_rows || is_system(name, rows)).then_some(rows.as_slice())
 }
 
 fn cells_of(row: &[Item]) -> Vec<Vec<&Item>> {

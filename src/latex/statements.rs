@@ -18,6 +18,8 @@ use super::macros::Macros;
 use super::pieces::{Piece, Printed, pieces};
 use super::reader::Reader;
 use super::reader::algebra::evidence;
+use super::reader::structure::note_possible_indices;
+use super::reader::undeclared::note_marks;
 
 /// The result of reading a display.
 #[derive(Clone, Debug, Default)]
@@ -53,6 +55,10 @@ fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
         }
     };
     evidence::note(&items, symbols);
+    note_marks(&items, &mut symbols.inferred);
+    if symbols.guessed {
+        note_possible_indices(&items, &mut symbols.inferred);
+    }
     if symbols.open {
         symbols.inferred.active = true;
         infer(&items, symbols);

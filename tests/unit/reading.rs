@@ -15,6 +15,8 @@ mod introductions;
 mod lecture;
 #[path = "reading/misreadings.rs"]
 mod misreadings;
+#[path = "reading/notes.rs"]
+mod notes;
 #[path = "reading/particles.rs"]
 mod particles;
 #[path = "reading/quantities.rs"]

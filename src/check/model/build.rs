@@ -34,6 +34,8 @@ impl Model {
         for (name, body) in &claims.macros {
             macros.define(&name.value, Macros::arguments_of(&body.value), &body.value);
         }
-        build(claims, Model::empty(Symbols::new(), macros), registry)
+        let mut symbols = Symbols::new();
+        symbols.guessed = claims.guesses.is_some();
+        build(claims, Model::empty(symbols, macros), registry)
     }
 }

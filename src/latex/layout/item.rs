@@ -128,22 +128,6 @@ pub(super) fn letters(item: &Item) -> String {
     }
 }
 
-/// Whether a length is that of a `\quad` or more: `1cm`, `6mm`, `2em`.
-pub(super) fn is_wide(length: &str) -> bool {
-    let digits = length.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(length.len());
-    let least = match &length[digits..] {
-        "cm" => 0.4,
-        "mm" => 4.0,
-        "em" => 1.0,
-        "ex" => 2.0,
-        "pt" => 10.0,
-        "mu" => 18.0,
-        "in" => 0.15,
-        _ => return false,
-    };
-    length[..digits].parse::<f64>().is_ok_and(|value| value >= least)
-}
-
 impl Item {
     /// The rows of the one environment that is all there is in other rows; else those rows.
     pub(super) fn inner_rows(rows: &[Vec<Vec<Item>>]) -> &[Vec<Vec<Item>>] {

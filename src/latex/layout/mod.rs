@@ -1,8 +1,9 @@
 //! The typeset structure of a formula: groups, fences, fractions, scripts, accents, rows. Nothing has a meaning yet.
 //!
-//! `item` has the layout tree, `parser` builds it from tokens, `text` from a text with macros; `delimiters` and
-//! `angles` pair what opens and closes, and `print` writes items as LaTeX again. `units` finds the units after numbers,
-//! `values` the runs of items that are declared to be one quantity, and `rest` the terms that are left out at the end of a sum.
+//! `item` has the layout tree, `parser` builds it from tokens, `text` from a text with macros; `lengths` reads spaces with a
+//! length; `delimiters` and `angles` pair what opens and closes, and `print` writes items as LaTeX again. `units` finds the
+//! units after numbers, `values` the runs of items that are declared to be one quantity, and `rest` the terms that are left
+//! out at the end of a sum.
 //! [`layout`] cannot fail; what it does not understand becomes a [`Layout::Fault`] at its place.
 //!
 //! This folder may import the lexer, the macros and the normalizer of [`super`].
@@ -17,6 +18,8 @@
 mod angles;
 mod delimiters;
 mod item;
+#[cfg(feature = "notes")]
+mod lengths;
 mod parser;
 #[cfg(feature = "notes")]
 mod print;

@@ -9,7 +9,7 @@ use crate::source::{Fault, Span};
 use super::super::lexer::{Space, Token, TokenKind};
 use super::angles::{bars_before_angle, bra_length, is_lone_bar};
 use super::delimiters::{closing, glyph, is_plain_bar, opening};
-use super::item::{Delimiter, Item, Layout, is_wide, letters};
+use super::item::{Delimiter, Item, Layout, letters};
 use super::units;
 
 /// The most levels of groups inside groups; equations in notes have far fewer.
@@ -337,6 +337,14 @@ impl<'a> Parser<'a> {
             }
             "\\text" => {
                 let argument = self.argument(span);
+                // `\textrm{d}x`: an upright d before a letter is that of a differential.
+                let is_d = matches!(&argument.layout, Layout::Group(items) if matches!(items.as_slice(), [Item { layout: Layout::Letter('d'), .. }]));
+                let is_before_letter =
+                    self.peek().is_some_and(|next| matches!(next.kind, TokenKind::Letter(_) | TokenKind::Command(_)));
+                if is_d && is_before_letter {
+                    let layout = Layout::Style("\\mathrm".to_owned(), boxed(argument));
+                    return Item { layout, span: span.to(Span::at(self.previous_end())) };
+                }
                 let word = Layout::Text(letters(&argument));
                 return units::word(word, &argument, span.to(Span::at(self.previous_end())));
             }
@@ -347,11 +355,7 @@ impl<'a> Parser<'a> {
             "\\substack" | "\\ensuremath" | "\\mathclap" | "\\smash" => {
                 return self.argument(span);
             }
-            "\\hspace" | "\\mspace" => Layout::Space(match is_wide(&letters(&self.argument(span))) {
-                true => Space::Wide,
-                false => Space::Thin,
-            }),
-            "\\phantom" | "\\hphantom" | "\\vphantom" | "\\vspace" => {
+            "\\hspace" | "\\mspace" | "\\phantom" | "\\hphantom" | "\\vphantom" | "\\vspace" => {
                 self.argument(span);
                 Layout::Space(Space::Thin)
             }

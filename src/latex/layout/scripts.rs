@@ -85,6 +85,11 @@ impl Parser<'_> {
         if let Some(problem) = problem {
             return problem;
         }
+        // `x^{}`, as a macro without its optional argument writes it, sets nothing.
+        let is_something = |script: &Box<Item>| !matches!(&script.layout, Layout::Group(items) if items.iter().all(|item| matches!(item.layout, Layout::Space(_))));
+        if !matches!(nucleus.layout, Layout::Group(ref items) if items.is_empty()) {
+            (sub, sup) = (sub.filter(is_something), sup.filter(is_something));
+        }
         if sub.is_none() && sup.is_none() && primes == 0 {
             return nucleus;
         }

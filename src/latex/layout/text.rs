@@ -7,6 +7,7 @@ use super::super::lexer::{Token, TokenKind, tokens};
 use super::super::macros::Macros;
 use super::super::normalize::normalized;
 use super::item::Item;
+use super::lengths::with_plain_spaces;
 use super::parser::layout;
 use super::rest::with_rests;
 
@@ -21,23 +22,34 @@ pub(crate) fn typeset_items(text: &str, macros: &Macros) -> Result<Vec<Item>, Fa
             .code(Code::TooLarge)
             .help("split it into several equations"));
     }
-    let items = layout(&normalized(with_ellipses(macros.expand(tokens(text))?)), text.len());
+    let items = layout(&normalized(with_plain_spaces(with_ellipses(macros.expand(tokens(text))?))), text.len());
     Ok(with_rests(macros.values.named(items)))
 }
 
-/// Three points side by side are an ellipsis.
+/// Three points or more side by side are an ellipsis; one beside ∇ is the sign of a product.
 fn with_ellipses(tokens: Vec<Token>) -> Vec<Token> {
     let is_point = |at: usize| tokens.get(at).is_some_and(|token| token.kind == TokenKind::Other('.'));
-    let mut found = Vec::with_capacity(tokens.len());
+    let is_nabla = |at: usize| matches!(tokens.get(at).map(|token| &token.kind), Some(TokenKind::Command(name)) if name == "\\nabla");
+    let is_factor = |at: usize| {
+        tokens.get(at).is_some_and(|token| {
+            matches!(token.kind, TokenKind::Letter(_) | TokenKind::Open | TokenKind::Other('(' | '['))
+                || matches!(&token.kind, TokenKind::Command(name) if name != "\\end" && name != "\\right")
+        })
+    };
+    let mut found: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while at < tokens.len() {
-        let points = (at..at + 3).all(is_point);
-        let span = if points { tokens[at].span.to(tokens[at + 2].span) } else { tokens[at].span };
-        match points || tokens[at].kind == TokenKind::Other('…') {
-            true => found.push(Token { kind: TokenKind::Command("\\dots".to_owned()), span }),
+        let points = (at..tokens.len()).take_while(|at| is_point(*at)).count();
+        let is_sign = points == 1 && at > 0 && is_factor(at + 1) && (is_nabla(at - 1) || is_nabla(at + 1));
+        let length = if points > 2 { points } else { 1 };
+        let span = tokens[at].span.to(tokens[at + length - 1].span);
+        let command = |name: &str| Token { kind: TokenKind::Command(name.to_owned()), span };
+        match points > 2 || tokens[at].kind == TokenKind::Other('…') {
+            true => found.push(command("\\dots")),
+            false if is_sign => found.push(command("\\cdot")),
             false => found.push(tokens[at].clone()),
         }
-        at += if points { 3 } else { 1 };
+        at += length;
     }
     found
 }

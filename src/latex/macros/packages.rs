@@ -83,6 +83,8 @@ const TEXTS: &[(&str, usize, &str)] = &[
     ("naturallogarithm", 0, "\\ln"),
     // differentials
     ("d", 0, "\\mathrm{d}"),
+    ("dbar", 0, "đ"),
+    ("dj", 0, "đ"),
     ("dif", 0, "\\mathrm{d}"),
     ("Dif", 0, "\\mathrm{d}"),
     ("dt", 0, "\\mathrm{d}t"),
@@ -150,9 +152,6 @@ const TEXTS: &[(&str, usize, &str)] = &[
     ("phantom", 1, ""),
     ("hphantom", 1, ""),
     ("vphantom", 1, ""),
-    ("hspace", 1, "\\,"),
-    ("hskip", 0, "\\,"),
-    ("mspace", 1, "\\,"),
     ("vspace", 1, ""),
     ("hfill", 0, "\\quad"),
     ("hfil", 0, "\\quad"),

@@ -73,6 +73,7 @@ impl Reader<'_> {
                         Layout::Fence(Delimiter::Square, _) => "#[#]",
                         _ => "#(#)",
                     };
+                    self.is_shown_as_a_function(id);
                     return Ok(self.template(template, vec![expr, argument], whole));
                 }
                 found => found?,
@@ -102,7 +103,7 @@ impl Reader<'_> {
         let entry = self.symbols.entry(id);
         // `y[p_z, z]` has a commutator in it.
         let is_pair = !matches!(fence.layout, Layout::Fence(Delimiter::Round, _)) && inside.iter().any(is_comma);
-        let is_plain = ["\\pi", "e", "d"].contains(&entry.name.base.as_str());
+        let is_plain = ["\\pi", "\\hbar", "e", "d"].contains(&entry.name.base.as_str());
         let is_call =
             is_list && inside.iter().all(is_place) && matches!(fence.layout, Layout::Fence(Delimiter::Round, _));
         let is_vector = entry.kind == Kind::Vector || entry.kind == Kind::Abstract;
@@ -142,6 +143,14 @@ impl Reader<'_> {
         }
     }
 
+    /// Takes a name out of the real numbers, since it stands before its argument.
+    fn is_shown_as_a_function(&mut self, id: SymbolId) {
+        let entry = self.symbols.entry_mut(id);
+        if entry.kind == Kind::Scalar {
+            entry.kind = Kind::Abstract;
+        }
+    }
+
     /// Whether a name that usually stands for a function has a parenthesis after it, without a script, that holds one term.
     fn is_applied(&self, id: SymbolId, next: &Item) -> bool {
         let Layout::Fence(delimiter, inside) = &next.layout else { return false };
@@ -160,7 +169,7 @@ impl Reader<'_> {
             || self.is_inferred_function(&entry.name)
             || super::structure::is_function_letter(&entry.name, inside);
         let is_term = !inside.iter().skip(1).any(|item| self.is_sign(item) || relation_or_comma(item));
-        is_usual && is_term && !inside.is_empty()
+        is_usual && is_term && !inside.is_empty() && !has_nabla(inside)
     }
 
     /// Whether a parenthesis is the argument of a symbol and no factor: the time, or the declared argument.
@@ -239,6 +248,10 @@ impl Reader<'_> {
         let Some((fence, inside)) = parenthesis(next) else { return Ok(()) };
         let entry = self.symbols.entry(id);
         let name = &entry.name;
+        // ħ is no function.
+        if self.symbols.open && name.base == "\\hbar" && !inside.iter().any(|item| relation_or_comma(item)) {
+            return Ok(());
+        }
         let is_powered = !matches!(next.layout, Layout::Fence(..));
         // What does not vary is no function of anything: `m (r_\perp)^2`.
         let is_factor = is_powered && !self.symbols.open && (!entry.varies || entry.steady) && !is_function(entry);
@@ -259,6 +272,9 @@ impl Reader<'_> {
         if self.shifts_the_time(&inside) && (entry.varies && !entry.steady || self.symbols.open) {
             return ambiguous();
         }
+        if self.symbols.guessed && may_be_an_argument(entry, &inside, is_powered) {
+            return ambiguous();
+        }
         if !self.symbols.open {
             return Ok(());
         }
@@ -268,6 +284,14 @@ impl Reader<'_> {
             || matches!(inside.as_slice(), [Item { layout: Layout::Fraction(above, _), .. }] if has_sign(super::items::contents(above)));
         let is_plain_product =
             is_sum || is_powered || inside.iter().any(|item| has_rate(item)) || is_product_of_vectors(&inside);
+        if has_nabla(inside.iter().copied()) {
+            return Ok(());
+        }
+        // `P_0 \left(\frac{T}{T_0}\right)^\chi`: a value to which a power of a ratio is a factor.
+        let is_ratio = matches!(inside.as_slice(), [Item { layout: Layout::Fraction(..), .. }]);
+        if is_powered && is_ratio && !name.subscript.is_empty() && name.primes == 0 {
+            return Ok(());
+        }
         match is_function(entry) || self.is_at_a_place(name, &inside) || !is_plain_product {
             true => ambiguous(),
             false => Ok(()),
@@ -359,6 +383,18 @@ pub(super) fn are_names(item: &Item, branch: Option<Sign>) -> bool {
         && inside.iter().enumerate().all(|(at, item)| if at % 2 == 0 { is_name(item) } else { is_comma(item) })
 }
 
+/// Whether one term in a parenthesis may be the argument of a name before it, where only guesses say what the name is:
+/// `F(1/u)`. What stands in the O of a remainder is one whatever it is.
+fn may_be_an_argument(entry: &Entry, inside: &[&Item], is_powered: bool) -> bool {
+    let base = entry.name.base.as_str();
+    let is_sign = |item: &&Item| matches!(item.layout, Layout::Other('+' | '-'));
+    let is_term = !inside.iter().skip(1).any(is_sign);
+    let is_letter = is_function(entry) || FIELDS.contains(&base);
+    let is_product = is_powered || inside.iter().any(|item| has_rate(item)) || is_product_of_vectors(inside);
+    let is_plain = entry.name.subscript.is_empty();
+    ["O", "\\mathcal{O}"].contains(&base) || is_plain && is_letter && is_term && !is_product
+}
+
 /// Whether a name usually stands for a function.
 fn is_function(entry: &Entry) -> bool {
     let base = entry.name.base.as_str();
@@ -383,6 +419,16 @@ fn is_value(item: &Item) -> bool {
         Layout::Command(name) => name == "\\pi",
         _ => is_numeric_item(item),
     }
+}
+
+/// Whether ∇ stands in a parenthesis: what it makes of a field is no argument of a letter.
+fn has_nabla<'i>(inside: impl IntoIterator<Item = &'i Item>) -> bool {
+    inside.into_iter().any(|item| match &item.layout {
+        Layout::Command(name) => name == "\\nabla",
+        Layout::Scripts { nucleus, .. } => has_nabla([&**nucleus]),
+        Layout::Group(items) | Layout::Fence(_, items) => has_nabla(items),
+        _ => false,
+    })
 }
 
 /// Whether a dotted symbol or a derivative stands anywhere in an item.

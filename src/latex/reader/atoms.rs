@@ -10,7 +10,7 @@ use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
 use super::super::overdots;
 use super::algebra::evidence::is_matrix;
-use super::items::{contents, is_number, starts_differential, whole_number};
+use super::items::{contents, differential, is_number, starts_differential, whole_number};
 use super::state::{Read, Reader, unknown_command};
 use super::structure::is_material;
 use super::values::Place;
@@ -117,7 +117,23 @@ impl Reader<'_> {
             Layout::Scripts { nucleus, sub: Some(sub), sup, primes: 0 }
                 if matches!(nucleus.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, _)) =>
             {
-                let is_held = self.symbols.infers() && is_derivative_in_parentheses(nucleus);
+                let is_derivative = self.symbols.infers() && is_derivative_in_parentheses(nucleus);
+                // `\left(\frac{d\vec e}{dt}\right)_S` is the rate in a frame, and nothing is held fixed.
+                let is_rate = is_derivative && is_rate_in_a_frame(nucleus, sub);
+                if is_rate && !self.is_abstract() {
+                    return Err(Fault::unsupported(span, "the rate in a frame has no value here")
+                        .help("write the derivative without the name of a frame"));
+                }
+                let is_held = is_derivative && !is_rate;
+                if is_rate {
+                    let inner = self.item(nucleus)?;
+                    let below = super::structure::printed(contents(sub));
+                    let rate = self.template(&format!("(#)_{{{below}}}"), vec![inner], span);
+                    return match sup {
+                        Some(sup) => self.raised(rate, sup, span),
+                        None => Ok(rate),
+                    };
+                }
                 let part = match is_held {
                     true => {
                         let inner = self.item(nucleus)?;
@@ -311,8 +327,10 @@ impl Reader<'_> {
                         return Err(Fault::new(place, message).help("write 0 there, or remove an &"));
                     }
                 }
-                let rows: Read<Vec<Vec<Expr>>> =
-                    rows.iter().map(|row| row.iter().map(|cell| self.cell(cell, span)).collect()).collect();
+                let rows: Read<Vec<Vec<Expr>>> = rows
+                    .iter()
+                    .map(|row| row.iter().map(|cell| self.cell(without_stop(cell), span)).collect())
+                    .collect();
                 let rows = rows?;
                 match rows.iter().find(|row| row.len() != rows[0].len()) {
                     Some(_) if !self.is_abstract() => {
@@ -324,6 +342,12 @@ impl Reader<'_> {
             _ => Err(Fault::unsupported(span, format!("the environment {name} is not supported here"))),
         }
     }
+}
+
+/// A cell without the full stop or the comma at its end.
+fn without_stop(cell: &[Item]) -> &[Item] {
+    let is_mark = |item: &Item| matches!(item.layout, Layout::Other('.' | ',' | ';') | Layout::Space(_));
+    &cell[..cell.iter().rposition(|item| !is_mark(item)).map_or(cell.len(), |at| at + 1)]
 }
 
 /// Whether an environment lists cases.
@@ -348,4 +372,15 @@ fn is_derivative_in_parentheses(fence: &Item) -> bool {
         }
         _ => false,
     }
+}
+
+/// Whether a parenthesis holds a derivative by the time, with the letters of a frame below it and no place.
+fn is_rate_in_a_frame(fence: &Item, below: &Item) -> bool {
+    let Layout::Fence(_, inside) = &fence.layout else { return false };
+    let [Item { layout: Layout::Fraction(above, by), .. }] = inside.as_slice() else { return false };
+    let is_d = |part: &Item| contents(part).first().is_some_and(|first| differential(first).is_some());
+    let is_time =
+        contents(by).get(1).and_then(|item| names::printed(item, None)).is_some_and(|found| found.name.base == "t");
+    let is_place = |item: &Item| matches!(item.layout, Layout::Number(_) | Layout::Other('=' | '<' | '>' | '→'));
+    is_d(above) && is_d(by) && is_time && !contents(below).iter().any(is_place)
 }

@@ -66,7 +66,7 @@ mod sums;
 mod superscripts;
 mod symbols;
 mod terms;
-mod undeclared;
+pub(super) mod undeclared;
 mod values;
 mod vector_names;
 mod words;
@@ -81,6 +81,12 @@ use super::macros::Macros;
 pub use algebra::pairs_by_name;
 pub use partial_derivatives::derivative_name;
 pub(super) use state::Reader;
+
+/// Whether δ before a letter is a factor in a display, as in −δ v − α x, and no variation.
+#[cfg(feature = "cli")]
+pub fn has_coefficient(text: &str, macros: &Macros) -> bool {
+    typeset_items(text, macros).is_ok_and(|items| undeclared::has_coefficient(&items))
+}
 
 /// Reads one formula, without relations, and checks its type.
 pub fn read_formula(text: &str, symbols: &mut Symbols, macros: &Macros) -> Result<Expr, Fault> {

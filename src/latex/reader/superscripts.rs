@@ -88,6 +88,11 @@ impl Reader<'_> {
         }
         is_power?;
         let boxed = Box::new(base);
+        let has_hat = matches!(&boxed.node, Node::Symbol { id, .. }
+            if self.symbols.entry(*id).name.base.starts_with("\\hat{"));
+        if has_hat && shape == Shape::Vector && self.symbols.may_be_abstract && !self.is_abstract() {
+            return Err(Fault::ambiguous(span, "a power of a letter with a hat may be that of an operator"));
+        }
         if shape == Shape::Vector && whole_number(sup) == Some(2) {
             return Ok(Expr::new(Node::Dot(boxed.clone(), boxed), span));
         }
@@ -134,6 +139,11 @@ impl Reader<'_> {
         if !letters.is_empty() && letters.iter().all(is_index) && !marks.iter().all(|item| self.is_declared(item)) {
             return Err(Fault::unsupported(sup.span, "indices above a symbol are not supported")
                 .help("write the index as a subscript"));
+        }
+        let is_unclear = |letter: &String| self.symbols.inferred.unclear_letters.contains(letter);
+        if self.symbols.guessed && letters.iter().any(is_unclear) && !matches!(base.node, Node::Number(_)) {
+            return Err(Fault::ambiguous(span, "what stands above may be an index or a power")
+                .help("write indices as a subscript; for a power, use a letter that is no index elsewhere"));
         }
         match self.symbols.open {
             true => is_unlikely_index(self.subscript_of(base), base, &letters, sup, span),

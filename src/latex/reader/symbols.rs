@@ -352,6 +352,8 @@ impl Reader<'_> {
     pub(super) fn compound(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
         let Some(first) = items.get(*cursor) else { return Ok(None) };
         let order = differential(first).filter(|_| self.symbols.infers() && self.symbols.inferred.differentials);
+        let inexact = is_inexact(first) && self.symbols.open;
+        let order = if inexact { Some(1) } else { order };
         let many = differential_of_many(first).filter(|_| self.is_abstract());
         let order = order.or(many.as_ref().map(|_| 0));
         if let Some(varied) = self.varied(items, cursor)? {
@@ -365,6 +367,7 @@ impl Reader<'_> {
             return Ok(None);
         };
         let command = match (&first.layout, order) {
+            _ if inexact => "đ".to_owned(),
             (_, Some(0)) => many.unwrap_or_default(),
             (_, Some(1)) => "d".to_owned(),
             (_, Some(order)) => format!("d^{{{order}}}"),
@@ -378,8 +381,23 @@ impl Reader<'_> {
             // A parenthesis after a differential is another factor: `dx (a + b)`.
             return self.symbol(first.span.to(second.span), printed, &[], &mut 0).map(Some);
         }
-        if self.symbols.find(&Name::plain(command)).is_some() && !self.is_abstract() {
+        if command == "\\delta" && self.symbols.inferred.has_coefficient && (self.symbols.open || self.symbols.guessed)
+        {
             return Ok(None);
+        }
+        if self.symbols.find(&Name::plain(command)).is_some() && !self.is_abstract() {
+            match command.as_str() {
+                _ if !self.symbols.guessed => return Ok(None),
+                "\\delta" if !self.symbols.inferred.varies => return Ok(None),
+                "\\Delta" if self.symbols.inferred.has_difference_alone => {
+                    return Err(Fault::ambiguous(
+                        first.span.to(second.span),
+                        "\\Delta x may be a difference or the product of \\Delta and x",
+                    )
+                    .help("write \\Delta\\,x for the product, or another letter for the quantity \\Delta"));
+                }
+                _ => {}
+            }
         }
         if command == "\\delta" && self.symbols.open && !self.symbols.inferred.variations {
             return Err(Fault::ambiguous(
@@ -390,6 +408,17 @@ impl Reader<'_> {
         printed.name.base = format!("{command} {}", printed.name.base);
         *cursor += 2;
         self.symbol(first.span.to(second.span), printed, items, cursor).map(Some)
+    }
+}
+
+/// The mark of an inexact differential: đ, `\bar d`.
+fn is_inexact(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Other(c) => *c == 'đ',
+        Layout::Accent(accent, inner) => {
+            accent == "\\bar" && matches!(contents(inner), [only] if differential(only) == Some(1))
+        }
+        _ => false,
     }
 }
 

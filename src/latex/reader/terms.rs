@@ -19,7 +19,7 @@ impl Reader<'_> {
     /// A sum of terms with signs; all of `items`. `end` is the place of a fault if there are no items.
     pub fn sum(&mut self, items: &[Item], end: Span) -> Read<Expr> {
         let whole = extent(items).unwrap_or(end);
-        are_no_words(items, self.symbols.open, self.is_abstract())?;
+        are_no_words(items, self.symbols)?;
         if self.is_abstract()
             && let Some(found) = self.infix(items, whole)?
         {

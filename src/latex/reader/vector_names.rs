@@ -21,6 +21,9 @@ use crate::suggest::declaration;
 
 use super::state::{Read, Reader};
 
+/// Letters of energies, which letters of vectors are too.
+const ENERGIES: [&str; 8] = ["U", "V", "T", "E", "K", "W", "L", "H"];
+
 impl Reader<'_> {
     /// The meaning of a name that follows from a declared vector, and that vector.
     ///
@@ -49,7 +52,9 @@ impl Reader<'_> {
             let norm = new(Node::Norm(Box::new(vector.clone())));
             return Some((new(Node::Quotient(Box::new(vector), Box::new(norm))), id));
         }
-        if is_vectorial(&name.base) {
+        // Where only guesses say what letters are, the potential U is not the norm of a **U** elsewhere in the notes.
+        let may_be_an_energy = self.symbols.guessed && ENERGIES.contains(&name.base.as_str());
+        if is_vectorial(&name.base) || may_be_an_energy {
             return None;
         }
         let (vector, id) = self.vector(name, span)?;

@@ -5,6 +5,7 @@
 //! without a space between them is rejected if it has the name of a function in it. Without declarations, usual words are
 //! rejected too. For a product, a space or `\,` between the letters is enough.
 
+use crate::formula::symbols::Symbols;
 use crate::formula::tree::Function;
 use crate::source::{Fault, Span};
 
@@ -35,9 +36,12 @@ const WORDS: [&str; 51] = [
     "CoV",
 ];
 
+/// Energies that are a whole run.
+const ENERGIES: [&str; 5] = ["KE", "PE", "ME", "GPE", "EPE"];
+
 /// Rejects runs of letters that spell a function or, without declarations, a word. In a display of operators, the name
 /// of a number without a unit must be the whole run.
-pub(super) fn are_no_words(items: &[Item], open: bool, is_abstract: bool) -> Read<()> {
+pub(super) fn are_no_words(items: &[Item], symbols: &Symbols) -> Read<()> {
     let mut at = 0;
     while at < items.len() {
         let Some((mut word, mut span)) = start(&items[at]) else {
@@ -55,14 +59,14 @@ pub(super) fn are_no_words(items: &[Item], open: bool, is_abstract: bool) -> Rea
         let has_index = matches!(items[at].layout, Layout::Scripts { sub: Some(_), .. });
         at += 1;
         // `ad_V` is the adjoint; `ad - bc` has no index.
-        if open && has_index && (word == "ad" || word == "Ad") {
+        if symbols.open && has_index && (word == "ad" || word == "Ad") {
             return Err(Fault::ambiguous(span, format!("{word} may be the adjoint operator or a product")).help(
                 format!(
                     "write \\operatorname{{{word}}} for the operator, and a space \\, between the letters of a product"
                 ),
             ));
         }
-        is_no_word(&word, span, open, is_abstract)?;
+        is_no_word(&word, span, symbols)?;
     }
     Ok(())
 }
@@ -71,6 +75,12 @@ pub(super) fn are_no_words(items: &[Item], open: bool, is_abstract: bool) -> Rea
 fn start(item: &Item) -> Option<(String, Span)> {
     match &item.layout {
         Layout::Letter(c) => Some((c.to_string(), item.span)),
+        // The e of an exponential is no letter of a name: `Pe^{-i\omega t}`.
+        Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 }
+            if nucleus.layout == Layout::Letter('e') && !is_numeric(sup) =>
+        {
+            None
+        }
         Layout::Scripts { nucleus, .. } => match nucleus.layout {
             Layout::Letter(c) => Some((c.to_string(), nucleus.span)),
             _ => None,
@@ -79,7 +89,8 @@ fn start(item: &Item) -> Option<(String, Span)> {
     }
 }
 
-fn is_no_word(word: &str, span: Span, open: bool, is_abstract: bool) -> Read<()> {
+fn is_no_word(word: &str, span: Span, symbols: &Symbols) -> Read<()> {
+    let (open, is_abstract, is_guessed) = (symbols.open, symbols.is_abstract(), symbols.guessed);
     let apart = "for a product, put a space \\, between the letters";
     let function = FUNCTIONS.iter().find(|name| word.contains(**name));
     if let Some(name) = function.or(SHORT.iter().find(|name| word == **name)) {
@@ -98,7 +109,9 @@ fn is_no_word(word: &str, span: Span, open: bool, is_abstract: bool) -> Read<()>
         && word.chars().skip(1).all(is_lower)
         && word.to_ascii_lowercase().contains(['a', 'e', 'i', 'o', 'u']);
     let has_number = NUMBERS.iter().any(|name| if is_abstract { word == *name } else { word.contains(name) });
-    if open && (is_long || has_number || WORDS.contains(&word)) {
+    // Without a declaration that anybody confirmed, KE is the kinetic energy.
+    let is_energy = is_guessed && ENERGIES.contains(&word);
+    if is_energy || open && (is_long || has_number || WORDS.contains(&word)) {
         return Err(Fault::ambiguous(span, format!("{word} may be a name or a product"))
             .help(format!("a name of several letters is a letter with a subscript, such as E_{{kin}}; {apart}")));
     }

@@ -343,6 +343,7 @@ impl Guess {
         let own =
             path.file_name().map_or_else(|| notes.source.path.clone(), |name| name.to_string_lossy().into_owned());
         keys.insert("notes".to_owned(), json!(own));
+        keys.insert("guesses".to_owned(), json!({}));
         let text = format!("{:#}\n", Value::Object(keys));
         Claims::parse(Arc::new(Source::new(format!("{} (inferred)", beside.display()), text)), &beside)
     }

@@ -47,6 +47,8 @@ struct Place {
     positive: bool,
     angle: bool,
     moves: bool,
+    /// Whether δ before a name is a factor in the display.
+    has_coefficient: bool,
 }
 
 /// All names of some displays, in the order of their first occurrence.
@@ -69,7 +71,8 @@ pub(in crate::check) fn names_of(displays: &[Display], macros: &Macros) -> Vec<U
                 || matches!(&item.layout, Layout::Space(_)) && (left || row > 0 && starts(&items[row - 1]))
                 || matches!(&item.layout, Layout::Command(name) if name == "\\quad" || name == "\\qquad");
         }
-        walk(&items, Place::default(), at, &mut found);
+        let has_coefficient = crate::latex::has_coefficient(&display.text, macros);
+        walk(&items, Place { has_coefficient, ..Place::default() }, at, &mut found);
         for statement in items.split(ends_statement) {
             if let [left, right] = statement.split(is_relation).collect::<Vec<_>>().as_slice()
                 && let Some(name) = lone_name(left)
@@ -303,6 +306,10 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
             after_function = true;
             continue;
         }
+        // The mark of a difference or of a variation is no quantity.
+        if is_mark(item, items.get(index + 1), place.has_coefficient) {
+            continue;
+        }
         if let Some(printed) = names::printed(item, None) {
             let follows = items.get(index + 1);
             let usage = entry(found, &printed.name, at);
@@ -400,6 +407,16 @@ fn is_letter_d(item: &Item) -> bool {
 /// Whether d before an item is a differential: before a name or a parenthesis.
 fn is_factor(item: &Item) -> bool {
     names::printed(item, None).is_some() || matches!(item.layout, Layout::Fence(Delimiter::Round, _))
+}
+
+/// Whether an item is a Δ before a name, or a δ before one that has no dots, where the display does not use δ as a factor.
+fn is_mark(item: &Item, next: Option<&Item>, has_coefficient: bool) -> bool {
+    let Some(next) = next.and_then(|next| names::printed(next, None)) else { return false };
+    match &item.layout {
+        Layout::Command(name) if name == "\\Delta" => true,
+        Layout::Command(name) if name == "\\delta" => next.dots == 0 && !has_coefficient,
+        _ => false,
+    }
 }
 
 fn is_by_time(below: &Item) -> bool {

@@ -46,11 +46,14 @@ impl Reader<'_> {
     /// A name in square brackets that is a whole side, `[\rho] = \mathrm{kg}`: its unit. `None` for anything else.
     pub(in super::super) fn unit_of(&mut self, items: &[Item]) -> Read<Option<Expr>> {
         let [Item { layout: Layout::Fence(Delimiter::Square, inside), span }] = items else { return Ok(None) };
-        let [name] = inside.as_slice() else { return Ok(None) };
-        if names::printed(name, None).is_none() {
+        // `[\vec\sigma \cdot \vec n]`: a jump. A sum in brackets is a plain parenthesis, and a pair a commutator.
+        let divides = |item: &Item| is_separator(item) || matches!(item.layout, Layout::Other('+' | '-'));
+        let is_one = matches!(inside.as_slice(), [name] if names::printed(name, None).is_some());
+        let is_product = inside.len() > 1 && !inside.iter().any(divides) && inside.iter().any(is_vector_product);
+        if !is_one && !is_product {
             return Ok(None);
         }
-        let inner = self.item(name)?;
+        let inner = self.sum(inside, *span)?;
         Ok(Some(self.template("[#]", vec![inner], *span)))
     }
 
@@ -84,6 +87,11 @@ impl Reader<'_> {
     fn listed(&mut self, inside: &[Item], item: &Item) -> Read<Vec<Expr>> {
         inside.split(is_separator).map(|part| self.sum(part, item.span)).collect()
     }
+}
+
+/// A sign of a product of vectors.
+fn is_vector_product(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Command(name) if name == "\\cdot" || name == "\\times")
 }
 
 fn is_separator(item: &Item) -> bool {

@@ -40,7 +40,8 @@ pub(in super::super::super) fn note(items: &[Item], inferred: &mut Inferred) {
     inferred.has_transposes |= found.transposed_factors > 0 && !is_plain(&Name::plain("T"));
     inferred.has_states |= found.has_states;
     let has_others = found.plain.iter().any(|name| name.base != "e");
-    inferred.charge |= (found.has_constants || found.has_lone_e && has_others) && !found.has_exponential;
+    inferred.charge |=
+        (found.has_constants || found.has_eccentricity || found.has_lone_e && has_others) && !found.has_exponential;
 }
 
 /// Whether a letter before a parenthesis stands for a function whatever stands in it: Γ(x + 1), f(2x), J_n(kr), δ(x − a),
@@ -89,9 +90,12 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
                 ["h", "a", "T", "\\xi", "\\epsilon", "\\varepsilon", "c", "v"].contains(&found.name.base.as_str())
             })
     };
-    // P_l, J_n, Y_{lm}
-    let is_legendre = ["P", "J", "Y"].contains(&base) && !name.subscript.is_empty();
-    let is_known = always.contains(&base) || is_legendre || base.starts_with("\\mathcal{");
+    // P_l, J_n, Y_{lm}; but `P_0 \left(\frac{T}{T_0}\right)^\chi` is a product.
+    let is_ratio = matches!(inside, [Item { layout: Layout::Fraction(..), .. }]);
+    let is_legendre = ["P", "J", "Y"].contains(&base) && !name.subscript.is_empty() && !is_ratio;
+    // The gamma function has no argument that varies with the time: `i\Gamma(x/c - t)` is refused as k(x − ct) is.
+    let is_rate = base == "\\Gamma" && inside.iter().any(is_time);
+    let is_known = always.contains(&base) && !is_rate || is_legendre || base.starts_with("\\mathcal{");
     is_known && name.primes == 0
         || of_a_place.contains(&base)
             && base != "q"
@@ -133,6 +137,30 @@ fn is_rate(item: &Item) -> bool {
 fn is_transposed(item: &Item) -> bool {
     let Layout::Scripts { nucleus, sup: Some(sup), .. } = &item.layout else { return false };
     is_transpose(sup) && names::printed(nucleus, None).is_some_and(|found| found.name.base != "e")
+}
+
+/// Whether a hat stands over a letter, in parentheses perhaps.
+fn has_hat(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Accent(accent, inner) => accent == "\\hat" && names::printed(inner, None).is_some(),
+        Layout::Scripts { nucleus, .. } => has_hat(nucleus),
+        Layout::Fence(Delimiter::Round, inside) => inside.iter().any(has_hat),
+        _ => false,
+    }
+}
+
+/// Whether `1 - e^2` or `e^2 - 1` stands among some items: e is an eccentricity there.
+fn has_eccentricity(items: &[Item]) -> bool {
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let is_one = |item: &Item| whole_number(item) == Some(1);
+    let is_square = |item: &Item| {
+        matches!(&item.layout, Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 }
+            if nucleus.layout == Layout::Letter('e') && whole_number(sup) == Some(2))
+    };
+    solid.windows(3).any(|three| {
+        let is_sign = matches!(three[1].layout, Layout::Other('-'));
+        is_sign && (is_one(three[0]) && is_square(three[2]) || is_square(three[0]) && is_one(three[2]))
+    })
 }
 
 /// Whether a fraction is one of charges, `\frac{e^2}{r}`, `\frac{m e^4}{2}`: an even power of e over a distance, or beside
@@ -180,11 +208,13 @@ struct Found {
     has_states: bool,
     has_operators: bool,
     has_lone_e: bool,
+    has_eccentricity: bool,
     has_exponential: bool,
 }
 
 impl Found {
     fn list(&mut self, items: &[Item]) {
+        self.has_eccentricity |= has_eccentricity(items);
         for (at, item) in items.iter().enumerate() {
             self.one(item);
             let next = items[at + 1..].iter().find(|item| !matches!(item.layout, Layout::Space(Space::Thin)));
@@ -240,6 +270,9 @@ impl Found {
                 if names::printed(nucleus, None).is_none() {
                     self.one(nucleus);
                 }
+                // The square of a unit vector is 1, and nobody writes it.
+                let has_power = sup.as_deref().and_then(whole_number).is_some_and(|power| power > 1);
+                self.has_operators |= has_power && has_hat(nucleus);
                 let is_epsilon = matches!(&nucleus.layout, Layout::Command(name) if ["\\epsilon", "\\varepsilon"].contains(&name.as_str()));
                 if let Some(sub) = sub {
                     self.has_constants |=
@@ -278,9 +311,15 @@ impl Found {
                 }
             }
             Layout::Fence(Delimiter::Ket | Delimiter::Bra, _) => self.has_states = true,
+            // `\langle \hat x^2 \rangle`: what has a mean value is an operator.
+            Layout::Fence(Delimiter::Angle, inside) => {
+                self.has_operators |= inside.iter().any(has_hat);
+                self.list(inside);
+            }
             Layout::Group(items) | Layout::Fence(_, items) => self.list(items),
             Layout::Fraction(a, b) => {
                 self.has_constants |= is_of_charges(a, b);
+                self.has_eccentricity |= has_eccentricity(contents(a)) || has_eccentricity(contents(b));
                 self.one(a);
                 self.one(b);
             }
@@ -296,7 +335,11 @@ impl Found {
                         && letter != "u"
                 });
             }
-            Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => self.one(a),
+            Layout::Root(_, a) => {
+                self.has_eccentricity |= has_eccentricity(contents(a));
+                self.one(a);
+            }
+            Layout::Accent(_, a) | Layout::Style(_, a) => self.one(a),
             Layout::Environment(name, rows) => {
                 self.has_matrix |= name.ends_with("matrix") || name == "array";
                 rows.iter().flatten().for_each(|cell| self.list(cell));

@@ -1,4 +1,4 @@
-//! Signs between two formulas: ⊗ and the like bind as a product, ∈ and → bind less than a sum; commas make a list.
+//! Signs between two formulas: ⊗, the double contraction and the like bind as a product, ∈ and → bind less than a sum; commas make a list.
 
 use crate::formula::shape::Shape;
 use crate::formula::tree::{Condition, Expr, Node};
@@ -6,7 +6,8 @@ use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Item, Layout};
 use super::super::super::names;
-use super::super::items::{Joint, beside};
+use super::super::super::rows::relation;
+use super::super::items::{Joint, beside, contents};
 use super::super::state::{Read, Reader};
 
 /// Signs that bind as a product does.
@@ -47,12 +48,20 @@ const RELATIONS: [&str; 28] = [
     "\\colon",
 ];
 
+/// Signs of a map, before which a colon binds less than they do: `f : A \to B`.
+const MAPS: [&str; 5] = ["\\rightarrow", "\\mapsto", "\\longrightarrow", "\\longmapsto", "\\in"];
+
 impl Reader<'_> {
     /// Items with a sign between formulas, or a comma; `None` if there is none.
     pub(in super::super) fn infix(&mut self, items: &[Item], place: Span) -> Read<Option<Expr>> {
         let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
         // The bar of `P(A|B)` too; one with a place below it belongs to what stands before.
-        let is_relation = |item: &Item| sign(item, &RELATIONS) || matches!(item.layout, Layout::Other(':' | '|'));
+        let has_map = items.iter().any(|item| sign(item, &MAPS));
+        let is_relation = |item: &Item| {
+            sign(item, &RELATIONS)
+                || item.layout == Layout::Other('|')
+                || item.layout == Layout::Other(':') && (has_map || !is_between_factors(items))
+        };
         let is_sum = |item: &Item| sign(item, &SUMS);
         if let Some(at) = (1..items.len().max(1) - 1).find(|at| is_comma(&items[*at]) && joins_digits(items, *at)) {
             return Err(Fault::ambiguous(
@@ -77,7 +86,11 @@ impl Reader<'_> {
     pub(in super::super) fn infix_product(&mut self, items: &[Item], place: Span) -> Read<Option<Expr>> {
         // Between vectors ∧ is their product; between differentials and other letters it is that of forms.
         let has_vectors = items.iter().any(is_vectorial_item);
-        let is_own = |item: &Item| sign(item, &PRODUCTS) || !has_vectors && sign(item, &["\\wedge"]);
+        let is_own = |item: &Item| {
+            sign(item, &PRODUCTS)
+                || item.layout == Layout::Other(':') && is_between_factors(items)
+                || !has_vectors && sign(item, &["\\wedge"])
+        };
         let ends = |at: usize| at == 0 || at + 1 == items.len();
         match items.iter().enumerate().any(|(at, item)| is_own(item) && !ends(at)) {
             true => self.divided(items, &is_own, place).map(Some),
@@ -93,6 +106,15 @@ impl Reader<'_> {
     /// A condition that compares nothing, as it is printed.
     pub(in super::super::super) fn unread_condition(&mut self, items: &[Item], place: Span) -> Condition {
         Condition { members: vec![self.label(items, place)], relations: Vec::new() }
+    }
+
+    /// What stands over a brace: a formula, or formulas with relations between them.
+    pub(in super::super) fn equated(&mut self, item: &Item) -> Read<Expr> {
+        let items = contents(item);
+        match items.iter().any(|item| relation(item).is_some()) {
+            true => self.divided(items, &|item| relation(item).is_some(), item.span),
+            false => self.item(item),
+        }
     }
 
     fn divided(&mut self, items: &[Item], divides: &dyn Fn(&Item) -> bool, place: Span) -> Read<Expr> {
@@ -170,6 +192,23 @@ impl Reader<'_> {
             _ => (beside(vec![left, right]), a || b),
         }
     }
+}
+
+/// Whether each colon stands between two factors, as in the double contraction `\sigma : \epsilon`.
+fn is_between_factors(items: &[Item]) -> bool {
+    let is_factor = |item: Option<&Item>| {
+        item.is_some_and(|item| {
+            names::printed(item, None).is_some()
+                || matches!(&item.layout, Layout::Fence(..) | Layout::Accent(..) | Layout::Fraction(..))
+                || sign(item, &["\\nabla"])
+                || matches!(&item.layout, Layout::Scripts { nucleus, .. } if matches!(nucleus.layout, Layout::Fence(..)))
+        })
+    };
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let is_colon = |at: &usize| solid[*at].layout == Layout::Other(':');
+    (0..solid.len())
+        .filter(is_colon)
+        .all(|at| is_factor(at.checked_sub(1).map(|before| solid[before])) && is_factor(solid.get(at + 1).copied()))
 }
 
 /// Whether a comma stands directly between digits, and may be a part of a number: not in `0,1,2`, which has another one.

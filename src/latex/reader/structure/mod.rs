@@ -11,6 +11,7 @@
 //! | `scripts` | indices, marks and labels above a symbol |
 //! | `operators` | derivatives by anything, ∂_μ and ∇ as operators, named functions |
 //! | `evidence` | which letters are indices, and which functions |
+//! | `indices` | letters above letters that are indices, or may be |
 //! | `repeated` | letters that two factors have as an index |
 //! | `infix` | ⊗, ∘ and the like; ∈, → and the like; lists |
 //!
@@ -18,12 +19,14 @@
 
 mod brackets;
 mod evidence;
+mod indices;
 mod infix;
 mod operators;
 mod repeated;
 mod scripts;
 
 pub(in super::super) use evidence::{is_function_letter, note};
+pub(in super::super) use indices::{note_indices, note_possible_indices};
 pub(in super::super) use infix::is_prose;
 pub(super) use operators::is_material;
 

@@ -6,6 +6,7 @@ use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Delimiter, Item, Layout};
 use super::super::super::names;
+use super::super::super::rows::relation;
 use super::super::items::{contents, differential, joint, whole_number};
 use super::super::state::{Read, Reader};
 use super::{is_prose, printed};
@@ -86,11 +87,18 @@ impl Reader<'_> {
                     _ => (next, String::new()),
                 };
                 *cursor += 2;
-                let inner = self.item(nucleus)?;
+                let inner = self.equated(nucleus)?;
                 Ok(Some(self.template(&format!("{name}{{#}}{label}"), vec![inner], item.span.to(next.span))))
             }
             "\\overset" | "\\underset" | "\\stackrel" => {
                 let Some(base) = items.get(*cursor + 2) else { return Ok(None) };
+                if contents(base).iter().any(|item| relation(item).is_some()) {
+                    return Err(Fault::unsupported(
+                        item.span.to(base.span),
+                        "an equality with a question mark states nothing",
+                    )
+                    .help("write the relation alone, if it is meant to hold"));
+                }
                 *cursor += 3;
                 let inner = self.item(base)?;
                 let template = format!("{name}{{{}}}{{#}}", printed(contents(next)));
@@ -140,7 +148,7 @@ impl Reader<'_> {
             return Ok(None);
         }
         *cursor += 1;
-        let template = |hole: &str| format!("\\frac{{{frame}{mark} {hole}}}{{{}}}", printed(below));
+        let template = |hole: &str| format!("\\frac{{{frame}{mark} {hole}}}{{{}}}", printed(&without_braces(below)));
         if above[1..].iter().any(|item| !matches!(item.layout, Layout::Space(_))) {
             let inner = self.sum(&above[1..], item.span)?;
             let derivative = self.template(&template("#"), vec![inner], item.span);
@@ -392,6 +400,15 @@ const FUNCTIONS: [&str; 34] = [
 ];
 
 /// What begins the numerator of a derivative, with its order: d, ∂, δ, D.
+/// Items, where braces around one of them are left out, as a macro writes them: `\partial{x}`.
+fn without_braces(items: &[Item]) -> Vec<Item> {
+    let one = |item: &Item| match contents(item) {
+        [only] => only.clone(),
+        _ => item.clone(),
+    };
+    items.iter().map(one).collect()
+}
+
 fn mark(item: &Item) -> Option<String> {
     match &item.layout {
         Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => {
@@ -409,6 +426,15 @@ fn mark_alone(item: &Item) -> Option<&'static str> {
         Layout::Command(name) if name == "\\partial" => Some("\\partial"),
         Layout::Command(name) if name == "\\delta" => Some("\\delta"),
         Layout::Letter('D') => Some("D"),
+        // `\frac{\tilde d}{dt}`: another derivative by the time.
+        Layout::Accent(accent, inner) if matches!(contents(inner), [only] if differential(only) == Some(1)) => {
+            match accent.as_str() {
+                "\\tilde" => Some("\\tilde{d}"),
+                "\\hat" => Some("\\hat{d}"),
+                "\\bar" => Some("\\bar{d}"),
+                _ => None,
+            }
+        }
         Layout::Style(style, inner)
             if style == "\\mathrm" && matches!(contents(inner), [Item { layout: Layout::Letter('D'), .. }]) =>
         {

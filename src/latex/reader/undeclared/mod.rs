@@ -10,14 +10,19 @@
 //! | `sums` | `\sum`, `\prod`, `\lim`, `\dots` |
 //! | `integrals` | `\int`, `\oint`, differentials in the integrand |
 //! | `fields` | `\nabla` |
+//! | `marks` | δ and Δ before a letter: variations, differences and factors |
 //! | `bars` | `\left. … \right|_{x=a}`, `(\partial S/\partial V)_T` |
 
 pub(super) use bars::bar;
+#[cfg(feature = "cli")]
+pub(in super::super) use marks::has_coefficient;
+pub(in super::super) use marks::note_marks;
 
 mod bars;
 mod fields;
 mod functions;
 mod integrals;
+mod marks;
 mod sums;
 
 use crate::formula::symbols::{Kind, Name, Operator};
@@ -83,6 +88,11 @@ impl Reader<'_> {
 pub(super) fn simple_text(items: &[Item]) -> Option<String> {
     let mut text = String::new();
     for item in items {
+        // `\Delta t` is no command `\Deltat`.
+        let command = text.rfind('\\').map(|at| &text[at + 1..]);
+        if command.is_some_and(|name| !name.is_empty() && name.chars().all(|c| c.is_ascii_alphabetic())) {
+            text.push(' ');
+        }
         match &item.layout {
             Layout::Space(_) => continue,
             Layout::Number(digits) => text.push_str(digits),

@@ -1,0 +1,67 @@
+//! How displays are read in notes without a claims file: what is not decided there is refused, and nothing is read as a power
+//! or a product that is none.
+
+use crate::support::Desk;
+
+/// What `onshell check -v` prints about notes.
+fn readings(name: &str, displays: &[&str]) -> String {
+    let desk = Desk::new(&format!("readings-{name}"));
+    desk.write("a.md", &crate::unaided::page(displays));
+    desk.onshell(&["check", "-v", "a.md"]).out
+}
+
+#[test]
+fn indices_above_are_no_powers() {
+    for (at, display) in [
+        r"\partial_\alpha F^{\beta\alpha} = \mu_0 j^\beta",
+        r"\epsilon^{\alpha\beta\gamma\delta}\partial_\gamma F_{\alpha\beta} = 0",
+        r"H = \dot{q}^{n} p_{n} - L",
+        r"\mu^{n} = u^{m}\frac{\partial\phi_{m}}{\partial p_{n}}",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let out = readings(&format!("indices-{at}"), &[display]);
+        assert!(out.contains("may be an index or a power"), "{out}");
+    }
+    // near misses: a power whose letter is no index, and the letter of a Σ
+    for (at, display) in [r"y = a x^n + b", r"y = \sum_{n=0}^{3} a_n x^n"].into_iter().enumerate() {
+        let out = readings(&format!("powers-{at}"), &[display]);
+        assert!(!out.contains("may be an index or a power"), "{out}");
+    }
+}
+
+#[test]
+fn differences_and_variations_are_one_symbol() {
+    let out = readings("difference", &[r"\Delta U = q \Delta V", r"\delta H = p \delta q"]);
+    assert!(out.contains("ΔU = q·ΔV") && out.contains("δH = p·δq"), "{out}");
+    // a discriminant and a coefficient are factors
+    let out = readings("factor", &[r"\Delta = b^2 - 4 a c", r"y = 2 \Delta", r"\dot v = -\delta v - \alpha x"]);
+    assert!(out.contains("2·Δ") && out.contains("−δ·v − α·x"), "{out}");
+    let out = readings("beside", &[r"\Delta = a \Delta x"]);
+    assert!(out.contains("Δ = a·Δx"), "{out}");
+    let out = readings("unclear", &[r"\Delta = b^2 - 4 a c", r"y = \Delta + \Delta x"]);
+    assert!(out.contains("may be a difference or the product"), "{out}");
+}
+
+#[test]
+fn a_potential_is_no_norm() {
+    let out = readings("norm", &[r"\mathbf{U} = \mathbf{v} + \mathbf{w}", "U = m g h", "L = T - U"]);
+    assert!(out.contains("U = m·g·h") && !out.contains("|U|"), "{out}");
+    let out = readings("length", &[r"\vec r = \vec a + \vec b", r"F = \frac{k}{r^2}"]);
+    assert!(!out.contains("r⃗^2"), "{out}");
+}
+
+#[test]
+fn one_term_in_parentheses_is_no_factor_of_a_function() {
+    let out = readings("argument", &[r"a u = F\left(\frac{1}{u}\right)", r"y = x + O(x^3)", "KE = m v"]);
+    assert!(!out.contains("F·(1/u)") && !out.contains("O·x") && !out.contains("K·E"), "{out}");
+    let out = readings("product", &[r"y = m(a x + b)"]);
+    assert!(out.contains("m·(a·x + b)"), "{out}");
+}
+
+#[test]
+fn spaces_with_a_length_separate() {
+    let out = readings("spaces", &[r"a = b\hspace{25pt}c = d + b"]);
+    assert!(out.contains("c = d + b") && !out.contains("b·c"), "{out}");
+}
