@@ -21,8 +21,8 @@ use crate::source::{Fault, Missing};
 use crate::{Error, Result};
 
 use crate::check::document::definition::define;
-use crate::check::document::inferred::integration_constants;
 use crate::check::document::inferred::prose::Prose;
+use crate::check::document::inferred::{indices, integration_constants};
 use crate::check::document::normal_frequencies;
 use crate::check::document::unreadable::{UnreadableDisplays, faults};
 use crate::check::model::claim::is_equality;
@@ -110,6 +110,7 @@ pub(crate) fn read_all(
                 }
             }
         } else if !prose.define((claims, notes), unread.iter().map(|(_, _, reading)| reading), model)
+            && !indices::declare(unread.iter().map(|(_, _, reading)| reading), model)
             && !unread.iter().any(|(at, _, reading)| integration_constants::declare(&texts[*at], reading, model))
         {
             let read = readings.iter().enumerate().filter_map(|(at, reading)| Some((at, reading.as_ref()?)));
