@@ -142,7 +142,7 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     }
     double_range::within_doubles(link, context, &mut ensemble)?;
     let fails = |state: &SampledState<'_, RunningError>| matches!(residual::test(link, state), Ok(Point::Fails(_)));
-    ensemble.states.extend(branches::states(context, &ensemble)?.into_iter().filter(fails));
+    ensemble.states.extend(branches::states(context, &ensemble).into_iter().filter(fails));
     let states = AtStates::new(link, &ensemble.states);
     let outcome = match states.run(&ensemble.projection) {
         Ok(outcome) => outcome,
