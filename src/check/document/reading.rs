@@ -109,7 +109,7 @@ pub(crate) fn read_all(
                     break;
                 }
             }
-        } else if !prose.define((claims, notes), unread.iter().map(|(_, _, reading)| reading), model)
+        } else if !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), model)
             && !indices::declare(unread.iter().map(|(_, _, reading)| reading), model)
             && !unread.iter().any(|(at, _, reading)| integration_constants::declare(&texts[*at], reading, model))
         {

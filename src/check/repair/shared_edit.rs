@@ -19,7 +19,7 @@ use std::cmp::{Ordering, Reverse};
 
 use crate::formula::{Expr, Node, Statement};
 use crate::latex::slips::{Edit, Pool, Slip};
-use crate::latex::{DefinedSymbol, Reading, read_display, slips};
+use crate::latex::{DefinedSymbol, Reading, name_search, read_display, slips};
 use crate::notes::Notes;
 use crate::notes::claims::{Claim, Solved};
 use crate::source::Fault;
@@ -32,6 +32,8 @@ use crate::check::document::printed_lagrangian;
 use crate::check::document::reading::for_each;
 use crate::check::document::setup::{Run, with_checker};
 use crate::check::equations::sentences;
+use crate::check::model::meaning::Variable;
+use crate::check::model::order::order;
 use crate::check::repair::ranking::{changes_a_half, rank};
 use crate::check::repair::suggest::{agree_memberwise, has_branches, is_in_source};
 use crate::check::sample::context::Options;
@@ -77,6 +79,7 @@ impl Checker<'_> {
         let passing = self.items_as_expected(&equations, sentences);
         let refuted: Vec<usize> =
             wrong.iter().filter(|(nth, _)| is_refuted(&equations[*nth])).map(|(_, other)| *other).collect();
+        let is_in_doubt = refuted.len() > 2 * self.confirmations_of_the_motion(&equations);
         let mut best: Vec<SharedEdit> = Vec::new();
         let most = |found: &[SharedEdit]| found.first().map_or(0, |found| found.repaired.len());
         for at in (0..self.notes.equations.len()).filter(|at| self.may_be_edited(*at) && self.is_tried(*at)) {
@@ -104,7 +107,7 @@ impl Checker<'_> {
             // likelier than many others where all of that holds with it.
             let moves =
                 self.readings[at].introduced.iter().any(|new| printed_lagrangian::is_part(self.model, new.symbol));
-            if moves && refuted.len() > 1 {
+            if moves && refuted.len() > 1 && is_in_doubt {
                 let mut all = refuted.clone();
                 own_last(&mut all);
                 let all = with_said.clone()(all);
@@ -144,6 +147,25 @@ impl Checker<'_> {
             }
         }
         equations
+    }
+
+    /// The number of equations that hold and contain an acceleration: they would fail with most edits of the Lagrangian. One that
+    /// is made of its derivatives holds for any.
+    fn confirmations_of_the_motion(&self, equations: &[Equation]) -> usize {
+        let model = self.model;
+        let lagrangian = model.printed_lagrangian.as_ref().map(|printed| printed.lagrangian.to_string());
+        let has_acceleration = |member: &Expr| {
+            let highest = |coordinate: &Variable| order(model, member, coordinate.symbol).unwrap_or(0);
+            model.coordinates.iter().any(|coordinate| highest(coordinate) > 1)
+        };
+        let confirms = |at: usize| {
+            let text = &self.notes.equations[at].text;
+            let is_of_it = lagrangian.as_ref().is_some_and(|name| name_search::mentions(text, name, &model.macros));
+            let mut members = self.readings[at].statements.iter().flatten().flat_map(|s| &s.members);
+            !is_of_it && self.readings[at].introduced.is_empty() && members.any(has_acceleration)
+        };
+        let holding = equations.iter().filter(|equation| equation.finding.verdict.holds());
+        holding.filter_map(|equation| self.display_of(equation)).filter(|at| confirms(*at)).count()
     }
 
     /// An edit of a display as a repair of each equation that passes with it.
@@ -251,9 +273,11 @@ impl Checker<'_> {
         let all = || terms().factors_only();
         let mut tried: Vec<Edit> = Vec::new();
         let mut all_found: Vec<SharedEdit> = Vec::new();
-        for (pool, of_terms) in
-            [(&Pool::empty as &dyn Fn() -> Pool, false), (&own, false), (&all, false), (&terms, true)]
-        {
+        let pools: [(&dyn Fn() -> Pool, bool); 4] =
+            [(&Pool::empty, false), (&own, false), (&all, false), (&terms, true)];
+        // Where all must pass, the edits are those of a Lagrangian, and each takes longer.
+        let few = if least > 2 { pools.len() - 1 } else { pools.len() };
+        for (pool, of_terms) in pools.into_iter().take(few) {
             let mut edits = slips::corrections(&display.text, symbols, macros, &pool());
             edits.retain(|edit| !tried.contains(edit) && (!of_terms || edit.slip == Slip::Term));
             edits.retain(|edit| is_in_source(self, &display.text, edit, display.body.start));
@@ -389,6 +413,11 @@ impl Checker<'_> {
                 let is_readable = reading.statements.iter().all(Result::is_ok);
                 let stands = is_readable && Trial::new(self, at, reading, claim).ok()?.passes_screen();
                 return stands.then_some(Verdict::Definition);
+            }
+            // Most edits fail at the first state.
+            let is_refuted = || Trial::new(self, at, reading, claim).is_ok_and(|trial| !trial.passes_screen());
+            if quickly && reading.statements.iter().all(Result::is_ok) && is_refuted() {
+                return None;
             }
             let found = self.equation(at, self.assigned[at]).ok()?;
             found.ok.then_some(found.finding.verdict)

@@ -9,7 +9,7 @@ use crate::formula::{Expr, text};
 use crate::latex::{Reading, name_search};
 use crate::notes::Notes;
 use crate::notes::claims::{Claims, Spanned};
-use crate::source::{Missing, Span};
+use crate::source::{Fault, Missing, Span};
 
 use crate::check::document::definition::define;
 use crate::check::document::unreadable::faults;
@@ -76,15 +76,19 @@ impl Prose {
     pub fn define<'r>(
         &self,
         (claims, notes): (&Claims, &Notes),
-        unread: impl Iterator<Item = &'r Reading>,
+        unread: impl Iterator<Item = (usize, &'r Reading)>,
         model: &mut Model,
     ) -> bool {
-        let mut missing: Vec<&str> = Vec::new();
-        for fault in unread.flat_map(faults) {
-            if let Some(Missing::Name(name)) = &fault.missing {
-                missing.push(name);
-            }
-        }
+        let is_missing = |fault: &Fault| matches!(fault.missing, Some(Missing::Name(_)));
+        let texts: Vec<&str> = unread
+            .filter(|(_, reading)| faults(reading).any(is_missing))
+            .map(|(at, _)| notes.equations[at].text.as_str())
+            .collect();
+        let is_used = |name: &str| texts.iter().any(|text| name_search::mentions(text, name, &model.macros));
+        // What a display defines that cannot be read yet is not taken from the prose.
+        let is_defined = |name: &str| texts.iter().any(|text| name_search::is_a_side(text, name, &model.macros));
+        let names = self.0.iter().map(|said| said.name.as_str());
+        let missing: Vec<&str> = names.filter(|name| is_used(name) && !is_defined(name)).collect();
         let lagrangian = model.printed_lagrangian.as_ref().map(|printed| printed.lagrangian.to_string());
         let lacks =
             |name: &str| name_search::parse_decorated(name).is_some_and(|name| model.symbols.find(&name).is_none());
