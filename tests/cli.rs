@@ -35,6 +35,8 @@ mod printed_constraints;
 mod printed_lagrangian;
 #[path = "cli/printed/motions.rs"]
 mod printed_motions;
+#[path = "cli/printed/prose.rs"]
+mod printed_prose;
 #[path = "cli/printed/textbooks.rs"]
 mod printed_textbooks;
 #[path = "cli/report.rs"]

@@ -39,6 +39,18 @@ const DEEPEST: usize = 40;
 /// # Errors
 /// Where something in the formula has no known derivative.
 pub fn partial(expr: &Expr, by: &Variable, scope: Scope<'_>, span: Span) -> Derived {
+    // A family of separate names: ∂L/∂q_i is the sum of δ_ik ∂L/∂q_k.
+    let members = &scope.symbols.entry(by.id).members;
+    if let ([index], false) = (by.indices.as_slice(), members.is_empty()) {
+        let mut terms = Vec::new();
+        for (k, id) in (1..).zip(members) {
+            let of_member = partial(expr, &Variable { id: *id, indices: Vec::new(), dots: by.dots }, scope, span)?;
+            let delta = Expr::new(Node::Delta([*index, Index::Fixed(k)]), span);
+            let expr = Expr::new(Node::Product(vec![delta, of_member]), span);
+            terms.push(Term { sign: Sign::Plus, sign_span: None, expr });
+        }
+        return not_too_long(Expr::new(Node::Sum(terms), span));
+    }
     not_too_long(Differentiator { scope, symbols: scope.symbols, span, how: How::Partial(by) }.of(expr, 0)?)
 }
 

@@ -4,9 +4,8 @@
 //! [`checker::Checker`], all that the check of one equation needs. Knows `kinds` and below.
 
 pub(crate) mod checker;
-pub(crate) mod inferred_hamiltonian;
-pub(crate) mod inferred_momenta;
-pub(crate) mod integration_constants;
+pub(crate) mod definition;
+pub(crate) mod inferred;
 pub(crate) mod motion_by_laws;
 pub(crate) mod names;
 pub(crate) mod normal_frequencies;

@@ -12,19 +12,20 @@
 
 use std::sync::Arc;
 
-use crate::formula::shape::{Shape, bind};
 use crate::formula::symbols::Name;
-use crate::formula::{Expr, IndexId, Kind, Statement, SymbolId, Symbols};
-use crate::latex::{Reading, name_search, names, read_display, read_formula};
+use crate::formula::{Expr, IndexId, Statement, SymbolId, Symbols};
+use crate::latex::{Reading, name_search, names, read_display};
 use crate::notes::Notes;
 use crate::notes::claims::{Claim, Claims, Components, Declaration, Erratum, Spanned};
 use crate::source::{Fault, Missing};
 use crate::{Error, Result};
 
+use crate::check::document::definition::define;
+use crate::check::document::inferred::prose::Prose;
+use crate::check::document::inferred::{indices, integration_constants};
+use crate::check::document::normal_frequencies;
 use crate::check::document::unreadable::{UnreadableDisplays, faults};
-use crate::check::document::{integration_constants, normal_frequencies};
 use crate::check::model::claim::is_equality;
-use crate::check::model::claims_error::formula_error;
 use crate::check::model::meaning::{Meaning, Quantity};
 use crate::check::model::{Model, functions, particles};
 
@@ -64,6 +65,7 @@ pub(crate) fn read_all(
         frequencies: model.normal_frequencies.clone(),
     };
     pending.define_what_is_ready(model);
+    let prose = Prose::of(notes);
     loop {
         let mut progress = true;
         while progress {
@@ -107,7 +109,10 @@ pub(crate) fn read_all(
                     break;
                 }
             }
-        } else if !unread.iter().any(|(at, _, reading)| integration_constants::declare(&texts[*at], reading, model)) {
+        } else if !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), model)
+            && !indices::declare(unread.iter().map(|(_, _, reading)| reading), model)
+            && !unread.iter().any(|(at, _, reading)| integration_constants::declare(&texts[*at], reading, model))
+        {
             let read = readings.iter().enumerate().filter_map(|(at, reading)| Some((at, reading.as_ref()?)));
             let all = read.chain(unread.iter().map(|(at, _, reading)| (*at, reading)));
             if !pending.drop_unreadable(&UnreadableDisplays::of(notes, all), model)? {
@@ -380,54 +385,4 @@ pub(crate) fn for_each(claim: Option<&Claim>, model: &Model) -> Option<IndexId> 
     let letter = claim?.for_each.as_ref()?;
     let (name, _) = names::parse(&letter.value)?;
     model.symbols.index(&name.to_string())
-}
-
-/// Adds what the claims file defines.
-fn define(claims: &Claims, latex: &Spanned<String>, body: &Spanned<String>, model: &mut Model) -> Result<()> {
-    let error = |message: String| Error::at(&claims.source, latex.span, message);
-    let square = latex.value.trim().strip_suffix("^2").or(latex.value.trim().strip_suffix("^{2}"));
-    let name = name_search::parse_decorated(square.unwrap_or(&latex.value)).ok_or_else(|| {
-        error(format!("{} is not the name of a symbol", latex.value)).help(
-            "a name is a letter or a Greek command; accents, a subscript and primes are allowed, as in \\hat{e}_a",
-        )
-    })?;
-    let mut symbols = model.symbols.clone();
-    let formula =
-        read_formula(&body.value, &mut symbols, &model.macros).map_err(|fault| formula_error(claims, body, fault))?;
-    let (formula, found) = bind(formula, &symbols).map_err(|fault| formula_error(claims, body, fault))?;
-    let shown = name.to_string();
-    let kind = match found.shape {
-        Shape::Scalar => Kind::Scalar,
-        Shape::Vector => Kind::Vector,
-        Shape::Matrix(rows, columns) if rows * columns > 0 && rows.max(columns) <= 255 => {
-            Kind::Matrix(rows as u8, columns as u8)
-        }
-        Shape::Complex => Kind::Complex,
-        Shape::Abstract => Kind::Abstract,
-        Shape::Matrix(..) => {
-            return Err(error(format!("the definition of {shown} is a matrix of an unknown size")));
-        }
-    };
-    let id = symbols
-        .add(name, kind)
-        .ok_or_else(|| error(format!("{shown} is declared twice")).help("remove one of the two declarations"))?;
-    let own: Vec<IndexId> = symbols.entry(id).slots.iter().map(|(_, letter)| *letter).collect();
-    if let Some(stray) = found.free.iter().find(|letter| !own.contains(letter)) {
-        let letter = &symbols.indices[stray.0].letter;
-        return Err(error(format!("the index {letter} is free in this definition, and {shown} does not have it"))
-            .help("give the name this index, or sum over the index"));
-    }
-    if let Some((_, [letter, _])) =
-        formula.pair_sums().iter().find(|(_, pair)| own.iter().any(|own| pair.contains(own)))
-    {
-        let letter = &symbols.indices[letter.0].letter;
-        return Err(error(format!(
-            "an index of {shown} is also summed over in its definition, in pairs with {letter}"
-        ))
-        .help("write one Σ for each index that is summed over"));
-    }
-    symbols.mark_defined(id, &formula, square.is_some());
-    model.symbols = symbols;
-    model.define(id, formula);
-    Ok(())
 }

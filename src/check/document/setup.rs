@@ -12,9 +12,7 @@ use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::repeated;
-use crate::check::document::{
-    inferred_hamiltonian, inferred_momenta, motion_by_laws, printed_lagrangian, reading, units,
-};
+use crate::check::document::{inferred, motion_by_laws, printed_lagrangian, reading, units};
 use crate::check::model::Model;
 use crate::check::sample::context::Options;
 use crate::check::verdict::progress::Progress;
@@ -65,8 +63,8 @@ pub(crate) fn with_checker<T>(
     define_macros(&notes.macros, &mut macros);
     repeated_numbers(notes)?;
     let mut model = Model::new(claims, macros, run.registry)?;
-    inferred_momenta::infer(claims, notes, &mut model);
-    inferred_hamiltonian::infer(claims, notes, &mut model);
+    inferred::momenta::infer(claims, notes, &mut model);
+    inferred::hamiltonian::infer(claims, notes, &mut model);
     let assigned = assign(claims, notes)?;
     let readings = reading::read_all(claims, notes, &assigned, &mut model)?;
     printed_lagrangian::make((claims, notes), &readings, &mut model)?;

@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Node, Relation, SymbolId};
+use crate::formula::{Expr, Node, Relation, SymbolId, text};
 use crate::latex::Reading;
 use crate::notes::claims::Claim;
 
@@ -13,6 +13,7 @@ use crate::check::kinds::mechanics::same_motion;
 use crate::check::kinds::printed_solution::Solution;
 use crate::check::kinds::solution;
 use crate::check::model::claim::{Hypothesis, Link};
+use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::{Context, Options};
 use crate::check::sample::outcome::run;
 use crate::check::sample::setting::FEWEST;
@@ -163,6 +164,44 @@ impl Checker<'_> {
         Ok(found.verdict.holds().then_some(found))
     }
 
+    /// The finding that a link holds if a coordinate keeps the value that a hypothesis gives it, where it does. A hypothesis is
+    /// about one instant; a place or a cone on which the motion stays is often meant.
+    fn if_it_lasts(&self, link: &Link, context: &Context<'_>) -> Result<Option<Finding>> {
+        let is_coordinate = |side: &Expr| side.as_plain_symbol().is_some_and(|id| self.model.is_coordinate(id));
+        let is_constant = |side: &Expr| {
+            let is_one = |(id, _): &(SymbolId, u8)| matches!(self.model.meaning(*id), Some(Meaning::Constant(_)));
+            side.symbols().iter().all(is_one)
+        };
+        let is_place = |hypothesis: &Hypothesis| {
+            let (a, b) = (&hypothesis.lhs, &hypothesis.rhs);
+            hypothesis.relation == Relation::Equal
+                && !hypothesis.throughout
+                && (is_coordinate(a) && is_constant(b) || is_coordinate(b) && is_constant(a))
+        };
+        if !context.options.explain || context.options.deduction {
+            return Ok(None);
+        }
+        let Some(place) = context.hypotheses.iter().find(|hypothesis| is_place(hypothesis)) else { return Ok(None) };
+        let lasting: Vec<Hypothesis> = context
+            .hypotheses
+            .iter()
+            .map(|hypothesis| Hypothesis {
+                throughout: hypothesis.throughout || is_place(hypothesis),
+                ..hypothesis.clone()
+            })
+            .collect();
+        let on_it = Context { hypotheses: &lasting, ..context.quick() };
+        if !identity::check(link, &on_it)?.verdict.holds() {
+            return Ok(None);
+        }
+        let (lhs, rhs) =
+            (text::formula(&place.lhs, &self.model.symbols), text::formula(&place.rhs, &self.model.symbols));
+        let message = format!(
+            "fails at an instant at which {lhs} = {rhs}, and holds while it stays so; if that is meant, put the condition under \"throughout\""
+        );
+        Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message)))
+    }
+
     /// What a link is that was refuted: an orbit of the motion, or an equation that holds along a printed solution; else the same
     /// finding.
     pub(crate) fn along_the_motion(&self, link: &Link, found: Finding, context: &Context<'_>) -> Result<Finding> {
@@ -174,6 +213,9 @@ impl Checker<'_> {
         }
         if let Some(orbit) = solution::orbit(link, context)? {
             return Ok(orbit);
+        }
+        if let Some(lasting) = self.if_it_lasts(link, context)? {
+            return Ok(lasting);
         }
         let mut beside = self.solutions_beside(None, context);
         if self.model.system.is_none() {

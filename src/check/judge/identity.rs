@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::Expr;
+use crate::formula::{Expr, Relation, text};
 use crate::scalar::RunningError;
 
 use crate::check::certificate::negligible_terms;
@@ -11,12 +11,14 @@ use crate::check::judge::conclusion::conclude;
 use crate::check::judge::difference;
 use crate::check::judge::other_branches;
 use crate::check::judge::trivial::trivial;
-use crate::check::model::claim::{Link, is_equality};
+use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::model::meaning::Meaning;
 use crate::check::model::order::derivatives;
 use crate::check::sample::context::Context;
 use crate::check::sample::enclosed;
 use crate::check::sample::enclosed::Decision;
 use crate::check::sample::ensemble::Ensemble;
+use crate::check::sample::setting::FEWEST;
 use crate::check::search::{
     boundary, branch_points, branches, double_range, family_sizes, magnitudes, proof, worst_state,
 };
@@ -115,6 +117,45 @@ fn without_hypotheses(link: &Link, context: &Context<'_>) -> Result<Option<Findi
         .then(|| Finding { message: format!("{}; it does not need its hypotheses", found.message), ..found }))
 }
 
+/// Leaves those of the states at which all defined names of a claim have a value; returns whether there are enough of them, and
+/// others. A claim says nothing where a quantity that it names does not exist.
+fn where_names_exist(link: &Link, ensemble: &mut Ensemble<'_>) -> bool {
+    let mut names: Vec<Expr> = Vec::new();
+    for side in [&link.lhs, &link.rhs] {
+        side.walk(&mut |part| {
+            if part.as_plain_symbol().is_some() && !names.contains(part) {
+                names.push(part.clone());
+            }
+        });
+    }
+    let exists = |state: &SampledState<'_, RunningError>, name: &Expr| {
+        let is_defined = |id| matches!(state.model().meaning(id), Some(Meaning::Defined(_)));
+        let value =
+            || state.now(name, &[]).is_ok_and(|value| value.entries().iter().all(|entry| entry.value.is_finite()));
+        !name.as_plain_symbol().is_some_and(is_defined) || value()
+    };
+    let all: Vec<bool> = ensemble.states.iter().map(|state| names.iter().all(|name| exists(state, name))).collect();
+    let count = all.iter().filter(|exist| **exist).count();
+    if count < FEWEST || count == all.len() {
+        return false;
+    }
+    let mut exist = all.into_iter();
+    ensemble.states.retain(|_| exist.next() == Some(true));
+    true
+}
+
+/// The finding on a claim that passes where a name with a formula is positive, which says so.
+fn where_positive(link: &Link, name: &Expr, context: &Context<'_>, on_shell: bool) -> Result<Option<Finding>> {
+    let zero = Expr::integer(0, name.span);
+    let positive = Link { lhs: name.clone(), relation: Relation::Greater, rhs: zero, free: Vec::new() };
+    let mut hypotheses = context.hypotheses.to_vec();
+    hypotheses.push(Hypothesis::of(positive, false));
+    let (found, _) = check_in(link, &Context { hypotheses: &hypotheses, ..*context }, on_shell)?;
+    let name = text::formula(name, &context.model.symbols);
+    let message = format!("holds where {name} > 0; else the other sign of a root is meant");
+    Ok(found.verdict.holds().then_some(Finding { message, ..found }))
+}
+
 /// Checks a claim at states on shell or off shell.
 fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Finding, Next)> {
     let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
@@ -142,15 +183,25 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     }
     double_range::within_doubles(link, context, &mut ensemble)?;
     let fails = |state: &SampledState<'_, RunningError>| matches!(residual::test(link, state), Ok(Point::Fails(_)));
-    ensemble.states.extend(branches::states(context, &ensemble)?.into_iter().filter(fails));
+    ensemble.states.extend(branches::states(context, &ensemble).into_iter().filter(fails));
+    let mut tested = AtStates::new(link, &ensemble.states).run(&ensemble.projection);
+    if tested.as_ref().is_ok_and(|outcome| outcome.one_sided.is_some()) && where_names_exist(link, &mut ensemble) {
+        tested = AtStates::new(link, &ensemble.states).run(&ensemble.projection);
+    }
     let states = AtStates::new(link, &ensemble.states);
-    let outcome = match states.run(&ensemble.projection) {
+    let outcome = match tested {
         Ok(outcome) => outcome,
         Err(reason) => return Ok((context.unavailable(&reason), Next::Settled)),
     };
     let mut finding = conclude(&states, context, &ensemble, &outcome);
     if finding.verdict == Verdict::Refuted && is_equality(link.relation) {
-        finding = other_branches::on_another_branch(link, context, &ensemble, finding);
+        let (found, name) = other_branches::on_another_branch(link, context, &ensemble, finding);
+        if let Some(name) = name.filter(|_| !context.options.deduction)
+            && let Some(found) = where_positive(link, &name, context, on_shell)?
+        {
+            return Ok((found, Next::Settled));
+        }
+        finding = found;
     }
     // An inequality that holds off shell is tested on shell as well, since it may fail on the motions only.
     let open = outcome.failure.is_some() || outcome.doubtful > 0 || !is_equality(link.relation);

@@ -9,7 +9,7 @@ pub(crate) mod conclusion;
 pub(crate) mod difference;
 pub(crate) mod identity;
 pub(crate) mod mutants;
-mod other_branches;
+pub(crate) mod other_branches;
 pub(crate) mod symbolic_base;
 pub(crate) mod term_fit;
 pub(crate) mod trivial;

@@ -6,7 +6,8 @@
 //!
 //! So a claim that is refuted is tested once more at each state where it fails, with other branches there. If it holds on one
 //! at each of them, and there is a condition under which it holds as printed, the finding names this condition, and
-//! nothing is called wrong. A condition says that something is *positive*: x = −r cos φ holds for x < 0, and is a slip.
+//! nothing is called wrong. Where the condition is about a name that the document defines, as the angular momentum in Ω = √(…),
+//! the claim is judged once more under it: the author could declare no range of the name. A condition says that something is *positive*: x = −r cos φ holds for x < 0, and is a slip.
 
 use crate::code::Code;
 use crate::formula::tree::Function;
@@ -42,18 +43,51 @@ const FEWEST_THAT_HOLD: usize = 3;
 
 type States<'s, 'm> = &'s [SampledState<'m, RunningError>];
 
-/// A refuted finding, or in its place the finding that the claim holds on one branch.
+/// States, and whether a claim holds at each.
+type Sampled<'s, 'm> = (States<'s, 'm>, &'s [Option<bool>]);
+
+/// A refuted finding, or in its place the finding that the claim holds on one branch; beside it the defined name that must be
+/// positive there, if one does.
 pub(crate) fn on_another_branch(
     link: &Link,
     context: &Context<'_>,
     ensemble: &Ensemble<'_>,
     finding: Finding,
-) -> Finding {
-    let definitions = Definitions { model: context.model, rules: &ensemble.rules };
+) -> (Finding, Option<Expr>) {
+    let Some(Branch { functions, condition, name }) = branch(link, context.model, ensemble) else {
+        return (finding, None);
+    };
+    let names: Vec<String> = functions.iter().map(|function| text::formula(function, &context.model.symbols)).collect();
+    let message = format!("holds where {condition}; elsewhere another branch of {} is meant", names.join(" or "));
+    (Finding { max_residual: None, ..finding.replaced(Code::OneBranch, Verdict::Domain, message) }, name)
+}
+
+/// Leaves those of the states at which the defined name is positive on which the branch of a claim depends.
+pub(crate) fn on_its_branch(link: &Link, model: &Model, ensemble: &mut Ensemble<'_>) {
+    if let Some(name) = branch(link, model, ensemble).and_then(|branch| branch.name) {
+        let mut obeyed = positive(&name, &ensemble.states).into_iter();
+        ensemble.states.retain(|_| obeyed.next() == Some(true));
+    }
+}
+
+/// The branch on which a claim holds.
+struct Branch {
+    /// The functions that have another value elsewhere.
+    functions: Vec<Expr>,
+    /// Where it holds, in words.
+    condition: String,
+    /// The defined name that is positive there, if nothing else is.
+    name: Option<Expr>,
+}
+
+/// The branch on which a claim holds that fails at some of the states.
+fn branch(link: &Link, model: &Model, ensemble: &Ensemble<'_>) -> Option<Branch> {
+    let definitions = Definitions { model, rules: &ensemble.rules };
     let mut functions = definitions.functions_of(link);
     if functions.is_empty() {
-        return finding;
+        return None;
     }
+    let names = definitions.names_of(link);
     let link = Link { lhs: definitions.expanded(&link.lhs), rhs: definitions.expanded(&link.rhs), ..link.clone() };
     let outcome = |state| match residual::test(&link, state) {
         Ok(Point::Holds(_)) => Some(true),
@@ -63,7 +97,7 @@ pub(crate) fn on_another_branch(
     let outcomes: Vec<Option<bool>> = ensemble.states.iter().map(outcome).collect();
     let with = |wanted| outcomes.iter().filter(|outcome| **outcome == Some(wanted)).count();
     if with(true) < FEWEST_THAT_HOLD || with(false) == 0 {
-        return finding;
+        return None;
     }
     let all_hold = |functions: &[Expr]| {
         let variants = variants(&link, functions);
@@ -72,7 +106,7 @@ pub(crate) fn on_another_branch(
         failing.all(|(state, _)| holds(state))
     };
     if !all_hold(&functions) {
-        return finding;
+        return None;
     }
     // Only those that are needed are named.
     for at in (0..functions.len()).rev() {
@@ -81,12 +115,12 @@ pub(crate) fn on_another_branch(
             functions = others;
         }
     }
-    let Some(condition) = condition(&link, &functions, context.model, (&ensemble.states, &outcomes)) else {
-        return finding;
-    };
-    let names: Vec<String> = functions.iter().map(|function| text::formula(function, &context.model.symbols)).collect();
-    let message = format!("holds where {condition}; elsewhere another branch of {} is meant", names.join(" or "));
-    Finding { max_residual: None, ..finding.replaced(Code::OneBranch, Verdict::Domain, message) }
+    let sampled: Sampled<'_, '_> = (&ensemble.states, &outcomes);
+    if let Some(condition) = condition(&link, &functions, model, sampled) {
+        return Some(Branch { functions, condition, name: None });
+    }
+    let name = names.into_iter().find(|name| suffices(&[&positive(name, sampled.0)], sampled.1))?;
+    Some(Branch { functions, condition: is_positive(&name, model), name: Some(name) })
 }
 
 /// The definitions of the document and of a claim.
@@ -104,6 +138,29 @@ impl Definitions<'_> {
             (None, Some(Meaning::Defined(formula))) => Some(formula),
             _ => None,
         }
+    }
+
+    /// The defined names in a claim, and in what defines them, the outer ones first.
+    fn names_of(&self, link: &Link) -> Vec<Expr> {
+        let mut found: Vec<Expr> = Vec::new();
+        let mut next: Vec<Expr> = vec![link.lhs.clone(), link.rhs.clone()];
+        for _ in 0..DEEPEST {
+            let mut inner = Vec::new();
+            for formula in &next {
+                formula.walk(&mut |part| {
+                    if let Some(id) = part.as_plain_symbol()
+                        && let Some(definition) = self.of(id)
+                        && !found.contains(part)
+                        && found.len() < MOST_CONDITIONS
+                    {
+                        found.push(part.clone());
+                        inner.push(definition.clone());
+                    }
+                });
+            }
+            next = inner;
+        }
+        found
     }
 
     /// A formula with definitions in place of all names.
@@ -212,12 +269,7 @@ fn variants(link: &Link, functions: &[Expr]) -> Vec<Link> {
 }
 
 /// A condition under which a claim holds at all states, in words.
-fn condition(
-    link: &Link,
-    functions: &[Expr],
-    model: &Model,
-    (states, outcomes): (States<'_, '_>, &[Option<bool>]),
-) -> Option<String> {
+fn condition(link: &Link, functions: &[Expr], model: &Model, (states, outcomes): Sampled<'_, '_>) -> Option<String> {
     let mut candidates: Vec<Expr> = Vec::new();
     let mut add = |formula: &Expr| {
         if !candidates.contains(formula) && !formula.symbols().is_empty() {
@@ -245,24 +297,10 @@ fn condition(
         });
     }
     candidates.truncate(MOST_CONDITIONS);
-    let positive = |formula: &Expr| -> Vec<bool> {
-        let is_positive = |state: &SampledState<'_, RunningError>| {
-            state.now(formula, &[]).is_ok_and(|value| value.entries().first().is_some_and(|entry| entry.value > 0.0))
-        };
-        states.iter().map(is_positive).collect()
-    };
-    let obeyed: Vec<(&Expr, Vec<bool>)> = candidates.iter().map(|formula| (formula, positive(formula))).collect();
-    let suffices = |all: &[&Vec<bool>]| {
-        let within = |at: &usize| all.iter().all(|obeyed| obeyed[*at]);
-        let inside = (0..states.len()).filter(within).map(|at| outcomes[at]);
-        let (mut count, mut holds) = (0, true);
-        inside.for_each(|outcome| {
-            count += usize::from(outcome == Some(true));
-            holds &= outcome != Some(false);
-        });
-        holds && count >= FEWEST_THAT_HOLD
-    };
-    let said = |formula: &Expr| format!("{} > 0", text::formula(formula, &model.symbols));
+    let obeyed: Vec<(&Expr, Vec<bool>)> =
+        candidates.iter().map(|formula| (formula, positive(formula, states))).collect();
+    let suffices = |all: &[&Vec<bool>]| suffices(all, outcomes);
+    let said = |formula: &Expr| is_positive(formula, model);
     if let Some((formula, _)) = obeyed.iter().find(|(_, obeyed)| suffices(&[obeyed])) {
         return Some(said(formula));
     }
@@ -270,4 +308,29 @@ fn condition(
         let (second, _) = obeyed[at + 1..].iter().find(|(_, other)| suffices(&[one, other]))?;
         Some(format!("{} and {}", said(first), said(second)))
     })
+}
+
+/// That a formula is positive, in words.
+fn is_positive(formula: &Expr, model: &Model) -> String {
+    format!("{} > 0", text::formula(formula, &model.symbols))
+}
+
+/// Whether a formula is positive, at each state.
+fn positive(formula: &Expr, states: States<'_, '_>) -> Vec<bool> {
+    let is_positive = |state: &SampledState<'_, RunningError>| {
+        state.now(formula, &[]).is_ok_and(|value| value.entries().first().is_some_and(|entry| entry.value > 0.0))
+    };
+    states.iter().map(is_positive).collect()
+}
+
+/// Whether a claim holds at enough states that obey all conditions, and fails at none.
+fn suffices(all: &[&Vec<bool>], outcomes: &[Option<bool>]) -> bool {
+    let within = |at: &usize| all.iter().all(|obeyed| obeyed[*at]);
+    let inside = (0..outcomes.len()).filter(within).map(|at| outcomes[at]);
+    let (mut count, mut holds) = (0, true);
+    inside.for_each(|outcome| {
+        count += usize::from(outcome == Some(true));
+        holds &= outcome != Some(false);
+    });
+    holds && count >= FEWEST_THAT_HOLD
 }

@@ -17,6 +17,7 @@ use crate::formula::{Expr, Relation, SymbolId, Value, text};
 use crate::scalar::RunningError;
 
 use crate::check::judge::mutants::mutants_of;
+use crate::check::judge::other_branches;
 use crate::check::model::Model;
 use crate::check::model::claim::Link;
 use crate::check::model::meaning::Meaning;
@@ -97,9 +98,14 @@ pub fn check(
         for on_shell in [false, true] {
             let mode = user.context.mode(on_shell, &[&user.link.lhs, &user.link.rhs, formula]);
             let mut ensemble = user.context.ensemble(mode, false, context.options.points)?;
-            let holds = run(&user.link, &ensemble.states).is_ok_and(|o| o.failure.is_none() && o.points > 0);
-            if !holds {
-                continue;
+            let holds = |states: &[SampledState<'_, RunningError>]| {
+                run(&user.link, states).is_ok_and(|o| o.failure.is_none() && o.points > 0)
+            };
+            if !holds(&ensemble.states) {
+                other_branches::on_its_branch(&user.link, context.model, &mut ensemble);
+                if !holds(&ensemble.states) {
+                    continue;
+                }
             }
             points = points.max(ensemble.states.len());
             surviving.retain(|(mutant, _)| {

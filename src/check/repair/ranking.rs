@@ -5,6 +5,7 @@
 
 use crate::latex::names;
 use crate::latex::slips::{Edit, Slip};
+use crate::source::Span;
 
 use crate::check::trial::failed_display::OFFERED;
 use crate::check::verdict::repair::Repair;
@@ -56,6 +57,19 @@ pub(crate) fn rank(text: &str, edit: &Edit, step: bool) -> (Slip, bool, usize, u
 pub(crate) fn adds_parentheses(text: &str, edit: &Edit) -> bool {
     let within = edit.replacement.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
     edit.slip == Slip::Parenthesis && within == Some(&text[edit.span.range()])
+}
+
+/// Whether an edit changes the ½ of a term that contains a square, as in ½mv² and ½kx². There the ½ is customary, so it is
+/// hardly ever the mistake where another edit does as well.
+pub(crate) fn changes_a_half(text: &str, edit: &Edit) -> bool {
+    let halves = [r"\frac12", r"\frac{1}{2}", r"\tfrac12", r"\frac 12", r"\frac1 2"];
+    let mut ends =
+        halves.iter().flat_map(|half| text.match_indices(half).map(|(at, half)| Span::new(at, at + half.len())));
+    ends.find(|half| half.contains(edit.span)).is_some_and(|half| {
+        let rest = &text[half.end..];
+        let term = rest.find(['+', '-', '=', '&', ',']).map_or(rest, |end| &rest[..end]);
+        term.contains("^2") || term.contains("^{2}")
+    })
 }
 
 /// Inserts repairs of another display into those of an equation's own, at most [`OFFERED`] in all.

@@ -19,7 +19,7 @@ use std::cmp::{Ordering, Reverse};
 
 use crate::formula::{Expr, Node, Statement};
 use crate::latex::slips::{Edit, Pool, Slip};
-use crate::latex::{DefinedSymbol, Reading, read_display, slips};
+use crate::latex::{DefinedSymbol, Reading, name_search, read_display, slips};
 use crate::notes::Notes;
 use crate::notes::claims::{Claim, Solved};
 use crate::source::Fault;
@@ -32,7 +32,9 @@ use crate::check::document::printed_lagrangian;
 use crate::check::document::reading::for_each;
 use crate::check::document::setup::{Run, with_checker};
 use crate::check::equations::sentences;
-use crate::check::repair::ranking::rank;
+use crate::check::model::meaning::Variable;
+use crate::check::model::order::order;
+use crate::check::repair::ranking::{changes_a_half, rank};
 use crate::check::repair::suggest::{agree_memberwise, has_branches, is_in_source};
 use crate::check::sample::context::Options;
 use crate::check::trial::edited_document::with_text;
@@ -75,39 +77,46 @@ impl Checker<'_> {
             return equations;
         }
         let passing = self.items_as_expected(&equations, sentences);
-        // Every motion follows from the Lagrangian. It is in doubt where far more lines fail than hold.
-        let holding = equations.iter().filter(|equation| equation.finding.verdict.holds()).count();
-        let doubts_the_motion = wrong.len() > 2 * holding;
+        let refuted: Vec<usize> =
+            wrong.iter().filter(|(nth, _)| is_refuted(&equations[*nth])).map(|(_, other)| *other).collect();
+        let is_in_doubt = refuted.len() > 2 * self.confirmations_of_the_motion(&equations);
         let mut best: Vec<SharedEdit> = Vec::new();
+        let most = |found: &[SharedEdit]| found.first().map_or(0, |found| found.repaired.len());
         for at in (0..self.notes.equations.len()).filter(|at| self.may_be_edited(*at) && self.is_tried(*at)) {
-            let refuted = wrong.iter().filter(|(nth, _)| is_refuted(&equations[*nth])).map(|(_, other)| *other);
             let others = wrong.iter().map(|(_, other)| *other).filter(|other| *other != at);
             // Which equations use a display that cannot be read is unknown, so all are tried.
             let mut dependents: Vec<usize> = match self.is_unreadable(at) && wrong.iter().any(|(_, other)| *other == at)
             {
                 true => std::iter::once(at).chain(others).collect(),
                 false => {
-                    let moves = self.readings[at]
-                        .introduced
-                        .iter()
-                        .any(|new| printed_lagrangian::is_part(self.model, new.symbol));
-                    let stands = |other: &usize| {
-                        doubts_the_motion && moves && *other != at
-                            || self.depends_on_display(*other, at)
-                            || self.solves(*other, at)
-                    };
-                    refuted.filter(|other| *other == at || stands(other)).collect()
+                    let stands = |other: &usize| self.depends_on_display(*other, at) || self.solves(*other, at);
+                    refuted.iter().copied().filter(|other| *other == at || stands(other)).collect()
                 }
             };
             // The display itself takes the longest to check, so it comes last.
-            dependents.sort_by_key(|other| *other == at && !self.is_unreadable(at));
+            let own_last = |dependents: &mut Vec<usize>| {
+                dependents.sort_by_key(|other| *other == at && !self.is_unreadable(at));
+            };
+            own_last(&mut dependents);
             let said = failing.iter().filter(|_| !self.readings[at].introduced.is_empty() || self.is_law(at)).copied();
-            let dependents: Vec<Item> = dependents.into_iter().map(Item::Display).chain(said).collect();
-            if dependents.len() < 2 || !matches!(dependents[0], Item::Display(_)) {
-                continue;
+            let with_said = |dependents: Vec<usize>| -> Vec<Item> {
+                dependents.into_iter().map(Item::Display).chain(said).collect()
+            };
+            let mut found = Vec::new();
+            // Every motion follows from the Lagrangian, so all that fails may rest on a part of it. One edit of it is
+            // likelier than many others where all of that holds with it.
+            let moves =
+                self.readings[at].introduced.iter().any(|new| printed_lagrangian::is_part(self.model, new.symbol));
+            if moves && refuted.len() > 1 && is_in_doubt {
+                let mut all = refuted.clone();
+                own_last(&mut all);
+                let all = with_said.clone()(all);
+                found = self.repairing_edits(run, at, (&all, all.len()), &passing);
             }
-            let found = self.repairing_edits(run, at, &dependents, &passing);
-            let most = |found: &[SharedEdit]| found.first().map_or(0, |found| found.repaired.len());
+            let dependents = with_said(dependents);
+            if found.is_empty() && dependents.len() > 1 && matches!(dependents[0], Item::Display(_)) {
+                found = self.repairing_edits(run, at, (&dependents, 2), &passing);
+            }
             match most(&found).cmp(&most(&best)) {
                 Ordering::Greater => best = found,
                 Ordering::Equal => best.extend(found),
@@ -115,9 +124,13 @@ impl Checker<'_> {
             }
         }
         // The likeliest edits come first; a superfluous minus is rarer than a wrong sign.
-        best.sort_by_key(|SharedEdit { at, edit, .. }| match edit.slip == Slip::Sign && edit.replacement.is_empty() {
-            true => Slip::Fraction,
-            false => rank(&self.notes.equations[*at].text, edit, false).0,
+        best.sort_by_key(|SharedEdit { at, edit, .. }| {
+            let text = &self.notes.equations[*at].text;
+            let kind = match edit.slip == Slip::Sign && edit.replacement.is_empty() {
+                true => Slip::Fraction,
+                false => rank(text, edit, false).0,
+            };
+            (changes_a_half(text, edit), kind)
         });
         best.truncate(OFFERED);
         for SharedEdit { at, edit, repaired } in best.into_iter().rev() {
@@ -134,6 +147,25 @@ impl Checker<'_> {
             }
         }
         equations
+    }
+
+    /// The number of equations that hold and contain an acceleration: they would fail with most edits of the Lagrangian. One that
+    /// is made of its derivatives holds for any.
+    fn confirmations_of_the_motion(&self, equations: &[Equation]) -> usize {
+        let model = self.model;
+        let lagrangian = model.printed_lagrangian.as_ref().map(|printed| printed.lagrangian.to_string());
+        let has_acceleration = |member: &Expr| {
+            let highest = |coordinate: &Variable| order(model, member, coordinate.symbol).unwrap_or(0);
+            model.coordinates.iter().any(|coordinate| highest(coordinate) > 1)
+        };
+        let confirms = |at: usize| {
+            let text = &self.notes.equations[at].text;
+            let is_of_it = lagrangian.as_ref().is_some_and(|name| name_search::mentions(text, name, &model.macros));
+            let mut members = self.readings[at].statements.iter().flatten().flat_map(|s| &s.members);
+            !is_of_it && self.readings[at].introduced.is_empty() && members.any(has_acceleration)
+        };
+        let holding = equations.iter().filter(|equation| equation.finding.verdict.holds());
+        holding.filter_map(|equation| self.display_of(equation)).filter(|at| confirms(*at)).count()
     }
 
     /// An edit of a display as a repair of each equation that passes with it.
@@ -217,30 +249,35 @@ impl Checker<'_> {
         claim.is_some_and(|claim| !claim.exactly_when.is_empty())
     }
 
-    /// The edits of a display with which most of these equations pass, at least two if there are several, and with which
-    /// everything that passed still passes.
+    /// The edits of a display with which most of these equations pass, and at least so many, and with which everything that
+    /// passed still passes.
     pub(crate) fn repairing_edits(
         &self,
         run: &Run<'_>,
         at: usize,
-        wrong: &[Item],
+        (wrong, least): (&[Item], usize),
         passing: &Passing,
     ) -> Vec<SharedEdit> {
         let display = &self.notes.equations[at];
         let (symbols, macros) = (&self.model.symbols, &self.model.macros);
         let quick = Options { points: STATES.min(self.options.points), explain: false, ..self.options };
         let own = || Pool::of(std::iter::once(display.text.as_str()), symbols, macros, MISSING).factors_only();
-        let least = wrong.len().min(2);
         // A claim that needs many states waits for the full check, if the others suffice to reject edits.
         let soon: Vec<Item> = wrong.iter().copied().filter(|item| !self.takes_many_states(*item)).collect();
-        let soon = if soon.len() < least { wrong } else { &soon };
+        let (soon, enough) = match soon.len() < least.min(2) {
+            true => (wrong, least),
+            false => (soon.as_slice(), least.min(soon.len())),
+        };
         let texts = || self.notes.equations.iter().map(|display| display.text.as_str());
         let terms = || Pool::of(texts(), symbols, macros, MISSING);
         let all = || terms().factors_only();
         let mut tried: Vec<Edit> = Vec::new();
-        for (pool, of_terms) in
-            [(&Pool::empty as &dyn Fn() -> Pool, false), (&own, false), (&all, false), (&terms, true)]
-        {
+        let mut all_found: Vec<SharedEdit> = Vec::new();
+        let pools: [(&dyn Fn() -> Pool, bool); 4] =
+            [(&Pool::empty, false), (&own, false), (&all, false), (&terms, true)];
+        // Where all must pass, the edits are those of a Lagrangian, and each takes longer.
+        let few = if least > 2 { pools.len() - 1 } else { pools.len() };
+        for (pool, of_terms) in pools.into_iter().take(few) {
             let mut edits = slips::corrections(&display.text, symbols, macros, &pool());
             edits.retain(|edit| !tried.contains(edit) && (!of_terms || edit.slip == Slip::Term));
             edits.retain(|edit| is_in_source(self, &display.text, edit, display.body.start));
@@ -253,22 +290,25 @@ impl Checker<'_> {
             edits.truncate(TRIED);
             tried.extend(edits.iter().cloned());
             let repaired = |edit: &Edit| match self.is_unreadable(at) {
-                true => self
-                    .edited(&Run { options: quick, ..*run }, at, edit, |checker| checker.items_that_pass(soon, true)),
+                true => self.edited(&Run { options: quick, ..*run }, at, edit, |checker| {
+                    checker.items_that_pass(soon, enough, true)
+                }),
                 false => self.with_edited_text(quick, at, &edit.applied(&display.text), |checker| {
-                    checker.items_that_pass(soon, true)
+                    checker.items_that_pass(soon, enough, true)
                 }),
             };
             let likely = edits.into_par_iter().filter_map(|edit| {
                 let repaired = repaired(&edit)?;
-                Some(SharedEdit { at, edit, repaired }).filter(|found| found.repaired.len() >= least)
+                Some(SharedEdit { at, edit, repaired }).filter(|found| found.repaired.len() >= enough)
             });
-            let found = self.confirmed(run, at, likely.collect(), (wrong, passing));
-            if !found.is_empty() {
-                return found;
+            let found = self.confirmed(run, at, likely.collect(), (wrong, least, passing));
+            all_found.extend(found);
+            // What changes a customary ½ is offered, but a lost factor is likelier.
+            if all_found.iter().any(|found| !changes_a_half(&display.text, &found.edit)) {
+                break;
             }
         }
-        Vec::new()
+        all_found
     }
 
     /// The edits of a display that repair most equations by the full check.
@@ -277,10 +317,9 @@ impl Checker<'_> {
         run: &Run<'_>,
         at: usize,
         mut likely: Vec<SharedEdit>,
-        (wrong, passing): (&[Item], &Passing),
+        (wrong, least, passing): (&[Item], usize, &Passing),
     ) -> Vec<SharedEdit> {
         let text = &self.notes.equations[at].text;
-        let least = wrong.len().min(2);
         likely.sort_by_key(|found| (Reverse(found.repaired.len()), rank(text, &found.edit, false)));
         // Of two edits that give equal equations one is enough; in an unreadable display this cannot be decided.
         let none = Claim::default();
@@ -297,8 +336,9 @@ impl Checker<'_> {
         let full = Options { explain: false, ..self.options };
         let mut found: Vec<SharedEdit> = Vec::new();
         for (SharedEdit { edit, .. }, _) in distinct {
-            let judge =
-                |checker: &Checker<'_>| checker.still_passes(passing).then(|| checker.items_that_pass(wrong, false));
+            let judge = |checker: &Checker<'_>| {
+                checker.still_passes(passing).then(|| checker.items_that_pass(wrong, least, false))
+            };
             match self.edited(&Run { options: full, ..*run }, at, &edit, judge).flatten() {
                 Some(mut repaired) if repaired.len() >= least => {
                     repaired.sort_by_key(|(item, _)| *item);
@@ -363,9 +403,9 @@ impl Checker<'_> {
         is_alike.then(|| with_checker(run, self.claims, &notes, judged).ok())??
     }
 
-    /// The items that pass, with their verdicts; stops where too few can pass. With `quickly`, a display that defines a name
+    /// The items that pass, with their verdicts; stops where fewer than `least` can pass, or most do not. With `quickly`, a display that defines a name
     /// passes if it holds at a few states.
-    fn items_that_pass(&self, wrong: &[Item], quickly: bool) -> Vec<(Item, Verdict)> {
+    fn items_that_pass(&self, wrong: &[Item], least: usize, quickly: bool) -> Vec<(Item, Verdict)> {
         let none = Claim::default();
         let display = |at: usize| -> Option<Verdict> {
             let (reading, claim) = (&self.readings[at], self.assigned[at].unwrap_or(&none));
@@ -373,6 +413,11 @@ impl Checker<'_> {
                 let is_readable = reading.statements.iter().all(Result::is_ok);
                 let stands = is_readable && Trial::new(self, at, reading, claim).ok()?.passes_screen();
                 return stands.then_some(Verdict::Definition);
+            }
+            // Most edits fail at the first state.
+            let is_refuted = || Trial::new(self, at, reading, claim).is_ok_and(|trial| !trial.passes_screen());
+            if quickly && reading.statements.iter().all(Result::is_ok) && is_refuted() {
+                return None;
             }
             let found = self.equation(at, self.assigned[at]).ok()?;
             found.ok.then_some(found.finding.verdict)
@@ -385,7 +430,6 @@ impl Checker<'_> {
             }
         };
         let mut repaired = Vec::new();
-        let least = wrong.len().min(2);
         for (looked_at, item) in wrong.iter().enumerate() {
             match judged(*item) {
                 Some(verdict) => repaired.push((*item, verdict)),

@@ -75,8 +75,9 @@ impl Checker<'_> {
                 continue;
             }
             let found_in = |displays: Vec<usize>| -> Vec<Repair> {
-                let found =
-                    displays.into_iter().flat_map(|at| self.repairing_edits(run, at, &[Item::Display(own)], &passing));
+                let found = displays
+                    .into_iter()
+                    .flat_map(|at| self.repairing_edits(run, at, (&[Item::Display(own)], 1), &passing));
                 found.flat_map(|found| self.shared_repairs(found.at, &found.edit, &found.repaired)).collect()
             };
             let from_notes = |repair: &Repair| repair.is_in_the_notes(&self.notes.source.text);
@@ -110,7 +111,7 @@ impl Checker<'_> {
         if equation.ok || !equation.repairs.is_empty() || !self.options.explain {
             return;
         }
-        for found in self.repairing_edits(run, at, &[Item::Display(at)], passing) {
+        for found in self.repairing_edits(run, at, (&[Item::Display(at)], 1), passing) {
             let repairs = self.shared_repairs(found.at, &found.edit, &found.repaired);
             equation.repairs.extend(repairs.into_iter().map(|repair| Repair { shared: None, ..repair }));
         }

@@ -3,7 +3,6 @@
 //! xy = 0 is solved for one number, y, so y = 0 at all drawn states. But x = 0 obeys it as well, and a claim must hold
 //! there too. These states have one factor of such a hypothesis, or one of its symbols, equal to 0.
 
-use crate::Result;
 use crate::formula::{Expr, Kind, Node, Relation};
 use crate::notes::claims::Range;
 use crate::scalar::RunningError;
@@ -19,14 +18,9 @@ use crate::check::state::sampled_state::SampledState;
 /// The number of states on each branch.
 const OF_EACH: usize = 3;
 
-/// States on other branches of the hypotheses of a claim.
-///
-/// # Errors
-/// If the mass matrix is singular at all states of one branch.
-pub(crate) fn states<'m>(
-    context: &Context<'m>,
-    ensemble: &Ensemble<'m>,
-) -> Result<Vec<SampledState<'m, RunningError>>> {
+/// States on other branches of the hypotheses of a claim. A branch without a finite mass matrix, as where the velocity of
+/// light is 0, has no motions.
+pub(crate) fn states<'m>(context: &Context<'m>, ensemble: &Ensemble<'m>) -> Vec<SampledState<'m, RunningError>> {
     let mut found = Vec::new();
     for (at, hypothesis) in context.hypotheses.iter().enumerate() {
         if !is_equality(hypothesis.relation) || !hypothesis.free.is_empty() {
@@ -35,18 +29,18 @@ pub(crate) fn states<'m>(
         for factor in factors(hypothesis, context) {
             let mut hypotheses = context.hypotheses.to_vec();
             hypotheses[at] = zero(factor, hypothesis.throughout);
-            found.extend(drawn_under(&hypotheses, context, ensemble)?);
+            found.extend(drawn_under(&hypotheses, context, ensemble));
         }
         for symbol in symbols(hypothesis, context) {
             let first = [zero(symbol, false)].into_iter();
             let hypotheses: Vec<Hypothesis> = first.chain(context.hypotheses.iter().cloned()).collect();
-            found.extend(drawn_under(&hypotheses, context, ensemble)?);
+            found.extend(drawn_under(&hypotheses, context, ensemble));
         }
     }
     if context.options.deduction {
         found.retain(|state| context.hypotheses.iter().all(|hypothesis| says_something(hypothesis, state)));
     }
-    Ok(found)
+    found
 }
 
 fn zero(expr: Expr, throughout: bool) -> Hypothesis {
@@ -96,9 +90,10 @@ fn drawn_under<'m>(
     hypotheses: &[Hypothesis],
     context: &Context<'m>,
     ensemble: &Ensemble<'m>,
-) -> Result<Vec<SampledState<'m, RunningError>>> {
+) -> Vec<SampledState<'m, RunningError>> {
     let setting = Setting { hypotheses, ..context.setting(ensemble.mode) };
     // The same branches are sought for each correction that is tried, so these states are cached.
     let stream = format!("{}/another way", context.topic);
-    Ok(Ensemble::named(context.model, &setting, OF_EACH, context.options.seed, &stream)?.states)
+    let found = Ensemble::named(context.model, &setting, OF_EACH, context.options.seed, &stream);
+    found.map_or(Vec::new(), |ensemble| ensemble.states)
 }

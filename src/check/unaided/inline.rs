@@ -11,40 +11,11 @@ use crate::latex::Macros;
 use crate::notes::{Display, Notes};
 use crate::source::Span;
 
+use crate::check::document::inferred::prose::{body_of, follows_condition, is_announced};
 use crate::check::unaided::guess::names::{Usage, names_of};
-
-/// Words that announce a definition.
-const ANNOUNCE: [&str; 14] = [
-    "where",
-    "with",
-    "put",
-    "let",
-    "define",
-    "defining",
-    "write",
-    "writing",
-    "set",
-    "setting",
-    "introduce",
-    "introducing",
-    "denote",
-    "abbreviate",
-];
-
-/// Words after which a formula is a condition or a case.
-const CONDITION: [&str; 14] = [
-    "if", "when", "whenever", "for", "at", "as", "until", "unless", "near", "limit", "case", "assuming", "suppose",
-    "initial",
-];
-
-/// The most bytes before a formula that are taken for its words.
-const LONGEST: usize = 300;
 
 /// The fewest names of a formula that is a relation, and no value or special case.
 const FEWEST_RELATED: usize = 3;
-
-/// The most words between the one that announces a definition and the formula.
-const MOST_WORDS: usize = 8;
 
 /// Whether a display is a formula in a sentence.
 pub(super) fn is_inline(notes: &Notes, display: &Display) -> bool {
@@ -91,21 +62,17 @@ fn relates(display: &Display, (usages, authors): (&[Usage], usize), macros: &Mac
 
 /// The formula in a sentence as a display, if it is one equality.
 fn formula(notes: &Notes, span: Span) -> Option<Display> {
-    let text = notes.source.text.get(span.range())?;
-    let marks = [("$", "$"), ("\\(", "\\)")];
-    let (open, inner) = marks.iter().find_map(|(open, close)| {
-        Some((open.len(), text.strip_prefix(open)?.strip_suffix(close).filter(|inner| !inner.starts_with('$'))?))
-    })?;
+    let body = body_of(notes, span)?;
+    let text = notes.source.slice(body);
     let is_plain = !["%", "\n>", "\\text", "\\pm", "\\mp", "<", ">", "\\approx", "\\to", ","]
         .iter()
-        .any(|mark| inner.contains(mark));
-    let body = Span::new(span.start + open, span.start + open + inner.len());
+        .any(|mark| text.contains(mark));
     let line = 1 + notes.source.text[..span.start].matches('\n').count();
-    (is_plain && inner.matches('=').count() == 1).then(|| Display {
+    (is_plain && text.matches('=').count() == 1).then(|| Display {
         span,
         body,
         parts: vec![body],
-        text: inner.to_owned(),
+        text: text.to_owned(),
         number: None,
         labels: Vec::new(),
         automatic: Vec::new(),
@@ -138,39 +105,4 @@ fn is_sum(display: &Display, usages: &[Usage], macros: &Macros) -> bool {
         is_whole && usages.iter().any(|usage| usage.name == only.name && usage.introduced.is_some())
     };
     parts.len() > 1 && parts.iter().all(is_defined)
-}
-
-/// Whether words before a formula in a sentence announce a definition.
-fn is_announced(notes: &Notes, span: Span) -> bool {
-    let words = words_before(notes, span);
-    let Some(announced) = last(&words, &ANNOUNCE) else { return false };
-    last(&words, &CONDITION).is_none_or(|condition| condition < announced) && words.len() - announced <= MOST_WORDS
-}
-
-/// Whether the sentence of a formula begins with a condition.
-fn follows_condition(notes: &Notes, span: Span) -> bool {
-    last(&words_before(notes, span), &CONDITION).is_some()
-}
-
-/// The last place of one of these words.
-fn last(words: &[String], list: &[&str]) -> Option<usize> {
-    words.iter().rposition(|word| list.contains(&word.as_str()))
-}
-
-/// The words of a sentence before a formula in it.
-fn words_before(notes: &Notes, span: Span) -> Vec<String> {
-    let text = &notes.source.text;
-    let start = notes.equations.iter().map(|display| display.span.end).filter(|end| *end <= span.start).max();
-    let mut from = start.unwrap_or(0).max(span.start.saturating_sub(LONGEST));
-    while !text.is_char_boundary(from) {
-        from += 1;
-    }
-    // Formulas are no words.
-    let mut words = text[from..span.start].to_owned();
-    for other in notes.inline.iter().filter(|other| other.start >= from && other.end <= span.start) {
-        words.replace_range(other.start - from..other.end - from, &" ".repeat(other.end - other.start));
-    }
-    let sentence = words.rsplit(['.', '?', '!', ';', ':']).next().unwrap_or_default();
-    let sentence = sentence.rsplit("\n\n").next().unwrap_or_default().to_lowercase();
-    sentence.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty()).map(str::to_owned).collect()
 }

@@ -13,7 +13,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Relation, Value, text};
+use crate::formula::{Expr, Relation, SymbolId, Value, text};
 use crate::scalar::RunningError;
 
 use crate::check::model::Model;
@@ -166,7 +166,26 @@ pub fn vacuity(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vac
             needed.push(hypothesis);
         }
     }
-    let restates = !states.states.is_empty() && !needed.is_empty() && needed.into_iter().all(given_back);
+    // A hypothesis about a name with a formula, as E = const, needs that formula where the claim has not the name.
+    let opens = |hypothesis: &&Hypothesis| {
+        let symbols =
+            |a: &Expr, b: &Expr| a.symbols().into_iter().chain(b.symbols()).map(|(id, _)| id).collect::<Vec<_>>();
+        let own = symbols(&link.lhs, &link.rhs);
+        let is_defined = |id: &SymbolId| matches!(context.model.meaning(*id), Some(Meaning::Defined(_)));
+        let opened =
+            symbols(&hypothesis.lhs, &hypothesis.rhs).into_iter().any(|id| is_defined(&id) && !own.contains(&id));
+        let difference = |a: &Expr, b: &Expr| a.clone().minus(b.clone());
+        let (said, claimed) = (difference(&hypothesis.lhs, &hypothesis.rhs), difference(&link.lhs, &link.rhs));
+        let is_it = |other: &Expr| {
+            let link = Link { lhs: said.clone(), relation: Relation::Equal, rhs: other.clone(), free: Vec::new() };
+            run(&link, &free.states).is_ok_and(|outcome| outcome.failure.is_none() && outcome.points > 0)
+        };
+        opened && !is_it(&claimed) && !is_it(&claimed.clone().negated())
+    };
+    let restates = !states.states.is_empty()
+        && !needed.is_empty()
+        && !needed.iter().any(opens)
+        && needed.into_iter().all(given_back);
     let message = "this only restates its hypotheses, so nothing is checked; remove the hypothesis that says the same";
     Ok(if restates { Vacuity::Vacuous(Code::RestatesHypothesis, message) } else { Vacuity::FollowsFromHypotheses })
 }

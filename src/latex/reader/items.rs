@@ -189,36 +189,48 @@ pub(super) fn starts_differential(item: &Item) -> bool {
     }
 }
 
-/// The function whose reciprocal a command is: coth is 1/tanh.
-fn reciprocal(command: &str) -> Option<Function> {
-    match command {
-        "\\coth" => Some(Function::Tanh),
-        "\\sech" => Some(Function::Cosh),
-        "\\csch" => Some(Function::Sinh),
+/// The function whose reciprocal a word names: coth is 1/tanh.
+pub(super) fn reciprocal(word: &str) -> Option<Function> {
+    match word {
+        "coth" => Some(Function::Tanh),
+        "sech" => Some(Function::Cosh),
+        "csch" => Some(Function::Sinh),
         _ => None,
     }
 }
 
-/// Whether an item is the command of a reciprocal function, with or without a power.
-pub(super) fn is_reciprocal(item: &Item) -> bool {
+/// The hyperbolic function whose inverse a word names; it is made of the logarithm.
+pub(super) fn area_function(word: &str) -> Option<Function> {
+    match word {
+        "arsinh" | "arcsinh" | "asinh" => Some(Function::Sinh),
+        "arcosh" | "arccosh" | "acosh" => Some(Function::Cosh),
+        "artanh" | "arctanh" | "atanh" => Some(Function::Tanh),
+        _ => None,
+    }
+}
+
+/// The word of a function's head, without its power and its backslash.
+pub(super) fn head_word(item: &Item) -> Option<String> {
     let nucleus = match &item.layout {
         Layout::Scripts { nucleus, .. } => nucleus,
         _ => item,
     };
-    matches!(&nucleus.layout, Layout::Command(name) if reciprocal(name).is_some())
+    match &nucleus.layout {
+        Layout::Command(name) => name.strip_prefix('\\').map(str::to_owned),
+        Layout::Style(style, inner) if style == "\\mathrm" => {
+            Some(contents(inner).iter().map(|item| if let Layout::Letter(c) = item.layout { c } else { ' ' }).collect())
+        }
+        _ => None,
+    }
 }
 
 /// A function's command with the power on it.
 pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>)>> {
-    let named = |item: &Item| match &item.layout {
-        Layout::Command(name) if reciprocal(name).is_some() => reciprocal(name),
-        Layout::Command(name) => name.strip_prefix('\\').and_then(Function::named),
-        Layout::Style(style, inner) if style == "\\mathrm" => {
-            let word: String =
-                contents(inner).iter().map(|item| if let Layout::Letter(c) = item.layout { c } else { ' ' }).collect();
-            Function::named(&word)
-        }
-        _ => None,
+    let named = |item: &Item| {
+        let is_bare = !matches!(item.layout, Layout::Scripts { .. });
+        let word = head_word(item).filter(|_| is_bare)?;
+        let of_command = || reciprocal(&word).filter(|_| matches!(item.layout, Layout::Command(_)));
+        of_command().or_else(|| area_function(&word).map(|_| Function::Ln)).or_else(|| Function::named(&word))
     };
     if let Some(function) = named(item) {
         return Ok(Some((function, None)));

@@ -7,9 +7,9 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Item, Layout};
 use super::super::names::{self, unaccented};
+use super::functions::written_out;
 use super::items::{
-    Joint, beside, extent, function_head, is_any_integral, is_big_product, is_big_sum, is_integral, is_limit,
-    is_reciprocal, joint,
+    Joint, beside, extent, function_head, is_any_integral, is_big_product, is_big_sum, is_integral, is_limit, joint,
 };
 use super::state::{Read, Reader};
 use super::undeclared::bar;
@@ -362,12 +362,7 @@ impl Reader<'_> {
         if let Some((function, power)) = function_head(item)? {
             *cursor += 1;
             let (call, enclosed) = self.call(function, power, item.span, items, cursor)?;
-            if !is_reciprocal(item) {
-                return Ok((call, enclosed));
-            }
-            let one = Expr::new(Node::Number("1".to_owned()), item.span);
-            let span = call.span;
-            return Ok((Expr::new(Node::Quotient(Box::new(one), Box::new(call)), span), enclosed));
+            return Ok((written_out(item, call), enclosed));
         }
         if let Some(found) = self.algebra(items, cursor)? {
             return Ok((found, true));

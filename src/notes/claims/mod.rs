@@ -205,10 +205,17 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
             .help("add \"notes\": \"top.md\", the path of the document relative to this file")
     };
     let rotations = rotations(&fields, source)?;
-    let declarations = declarations(&fields, source)?;
+    let (declarations, between) = declarations(&fields, source)?;
     let axes = vectors::axes(&fields, source)?;
     let continua = continua::continua(&fields, source)?;
-    let means = fields.declared("means", source)?;
+    let mut means = fields.declared("means", source)?;
+    let mut dissipation = fields.text("dissipation")?;
+    // The name of the dissipation function says the same as the key of its own.
+    if dissipation.is_none()
+        && let Some(at) = means.iter().position(|(_, meaning)| meaning.value == "dissipation function")
+    {
+        dissipation = Some(means.remove(at).0);
+    }
     let units = fields.declared("units", source)?;
     let define = fields.pairs("define")?;
     let declared =
@@ -230,14 +237,14 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
         continua,
         laws: fields.pairs("laws")?,
         units,
-        dissipation: fields.text("dissipation")?,
+        dissipation,
         forces: fields.pairs("forces")?,
         constraints: fields.pairs("constraints")?,
         rotations,
         means,
         define,
         conditions: conditions(&fields)?,
-        assume: fields.texts("assume")?,
+        assume: fields.texts("assume")?.into_iter().chain(between).collect(),
         macros: fields.pairs("macros")?,
         steps: fields.texts("steps")?.iter().map(|step| Address::parse(step, source)).collect::<Result<_, _>>()?,
         equations: equations(&fields, source)?,
@@ -262,7 +269,8 @@ fn system(fields: &Fields<'_>) -> Result<Option<SystemRef>, Fault> {
     }
 }
 
-fn declarations(fields: &Fields<'_>, source: &Source) -> Result<Vec<Declaration>, Fault> {
+/// The declarations, and the conditions that ranges with formulas as ends make.
+fn declarations(fields: &Fields<'_>, source: &Source) -> Result<(Vec<Declaration>, Vec<Text>), Fault> {
     const ROLES: &[(&str, Role)] = &[
         ("coordinates", Role::Coordinate),
         ("varies with time", Role::VariesWithTime),
@@ -270,9 +278,23 @@ fn declarations(fields: &Fields<'_>, source: &Source) -> Result<Vec<Declaration>
         ("functions", Role::Function),
         ("indices", Role::Index),
     ];
-    let mut declarations = Vec::new();
+    let (mut declarations, mut conditions) = (Vec::new(), Vec::new());
     for &(section, role) in ROLES {
         for (key, value) in fields.pairs(section)? {
+            if matches!(role, Role::Coordinate | Role::Constant | Role::VariesWithTime) {
+                let names = fields::names(&key, source)?;
+                let found: Option<Vec<_>> = names
+                    .into_iter()
+                    .map(|name| range::between(&value, &name.value).map(|(range, own)| (name, range, own)))
+                    .collect();
+                if let Some(found) = found {
+                    for (name, range, own) in found {
+                        conditions.extend(own);
+                        declarations.push(Declaration { role, name, range, is_formula: false });
+                    }
+                    continue;
+                }
+            }
             let range = match role {
                 Role::Index => range::index(&value)?,
                 Role::Function => range::function(&value)?,
@@ -299,7 +321,7 @@ fn declarations(fields: &Fields<'_>, source: &Source) -> Result<Vec<Declaration>
         let range = if is_vector { Range::Matrix(3, 1) } else { Range::Any };
         declarations.push(Declaration { role, name, range: Spanned::new(range, span), is_formula: true });
     }
-    Ok(declarations)
+    Ok((declarations, conditions))
 }
 
 fn rotations(fields: &Fields<'_>, source: &Source) -> Result<Vec<(Text, Spanned<Turning>)>, Fault> {

@@ -188,6 +188,35 @@ fn integers(written: &Spanned<String>, rest: &str, symbolic: bool) -> Result<Ran
     }
 }
 
+/// The range of a symbol between formulas of other symbols, as `(0, L)` or `(1, \\infty)`, and the conditions that it then
+/// meets: one for each end that is no number.
+///
+/// An end that is a formula is a hypothesis of every equation, as under `assume`.
+pub(super) fn between(written: &Spanned<String>, name: &str) -> Option<(Spanned<Range>, Vec<Spanned<String>>)> {
+    let text = written.value.trim();
+    let inside = text.strip_prefix(['(', '['])?.strip_suffix([')', ']'])?;
+    let (low, high) = inside.split_once(',').map(|(low, high)| (low.trim(), high.trim()))?;
+    let is_infinite = |end: &str| matches!(end.trim_start_matches(['+', '-']).trim(), "\\infty");
+    let is_formula = |end: &str| {
+        endpoint(end).is_err() && end.contains(|c: char| c.is_alphabetic()) && !end.contains(['<', '>', '=', ','])
+    };
+    if ![low, high].into_iter().any(is_formula) || is_infinite(low) != low.starts_with("-\\infty") {
+        return None;
+    }
+    let range = match (endpoint(low), endpoint(high)) {
+        (Ok(low), _) if low >= 0.0 => Range::Positive,
+        (_, Ok(high)) if high <= 0.0 => Range::Negative,
+        (Err(_), Err(_)) | (Ok(_), Err(_)) | (Err(_), Ok(_)) => Range::Any,
+        (Ok(_), Ok(_)) => return None,
+    };
+    let is_said = |end: &str| is_infinite(end) || endpoint(end).is_ok_and(|end| end == 0.0 && range != Range::Any);
+    let (above, below) =
+        (if text.starts_with('(') { ">" } else { "\\ge" }, if text.ends_with(')') { "<" } else { "\\le" });
+    let ends = [(low, above), (high, below)].into_iter().filter(|(end, _)| !is_said(end));
+    let conditions = ends.map(|(end, relation)| Spanned::new(format!("{name} {relation} {end}"), written.span));
+    Some((Spanned::new(range.clone(), written.span), conditions.collect()))
+}
+
 fn interval(written: &Spanned<String>) -> Result<Range, Fault> {
     let text = written.value.trim();
     let fault = |message: String| Fault::claims(written.span, message);

@@ -3,6 +3,7 @@
 //! A solution holds for every value of its constants, so nothing need be said of them in a claims file. A name that stands
 //! beside the time, as ω does in `\cos\omega t`, is no such constant: its value decides whether the solution is one.
 
+use crate::formula::symbols::Name;
 use crate::formula::{Expr, Kind, Node, Statement, SymbolId, Symbols, text};
 use crate::latex::{Reading, names, read_display};
 use crate::notes::claims::Range;
@@ -29,7 +30,9 @@ pub(crate) fn declare(text: &str, reading: &Reading, model: &mut Model) -> bool 
     let mut new: Vec<SymbolId> = Vec::new();
     let (mut reading, mut with_introduced) = (reading.clone(), symbols.clone());
     while let Some(name) = missing(&reading) {
-        let Some((name, 0)) = names::parse(&name) else { return false };
+        // An upright word, as in \operatorname{erfi}, is a function that is not known here.
+        let is_word = |name: &Name| !name.base.starts_with('\\') && name.base.chars().count() > 1;
+        let Some((name, 0)) = names::parse(&name).filter(|(name, _)| !is_word(name)) else { return false };
         let Some(id) = symbols.add(name, Kind::Scalar).filter(|_| new.len() < MOST) else { return false };
         new.push(id);
         with_introduced = symbols.clone();

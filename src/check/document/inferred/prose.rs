@@ -1,0 +1,191 @@
+//! The definitions that the prose makes: "with the Lagrangian $L = T - V$", "put $\\nu = \\sqrt{k/m}$".
+//!
+//! A formula in a sentence defines a name only if nothing else does: no declaration and no display, and a display cannot be
+//! read for lack of it. It must be one equality of the bare name and a formula of known names. A condition ("if $a = b$")
+//! defines nothing, and neither does a name that the prose gives two formulas. The Lagrangian is the kinetic less the
+//! potential energy, where the claims file says which these are and no formula defines it.
+
+use crate::formula::{Expr, text};
+use crate::latex::{Reading, name_search};
+use crate::notes::Notes;
+use crate::notes::claims::{Claims, Spanned};
+use crate::source::{Fault, Missing, Span};
+
+use crate::check::document::definition::define;
+use crate::check::document::unreadable::faults;
+use crate::check::model::Model;
+use crate::check::model::meaning::Meaning;
+
+/// Words that announce a definition.
+const ANNOUNCE: [&str; 14] = [
+    "where",
+    "with",
+    "put",
+    "let",
+    "define",
+    "defining",
+    "write",
+    "writing",
+    "set",
+    "setting",
+    "introduce",
+    "introducing",
+    "denote",
+    "abbreviate",
+];
+
+/// Words after which a formula is a condition or a case.
+const CONDITION: [&str; 14] = [
+    "if", "when", "whenever", "for", "at", "as", "until", "unless", "near", "limit", "case", "assuming", "suppose",
+    "initial",
+];
+
+/// The most bytes before a formula that are taken for its words.
+const LONGEST: usize = 300;
+
+/// The most words between the one that announces a definition and the formula.
+const MOST_WORDS: usize = 8;
+
+/// A definition that the prose makes.
+struct Said {
+    name: String,
+    formula: String,
+    line: usize,
+}
+
+/// The definitions that the prose makes, in its order.
+pub(crate) struct Prose(Vec<Said>);
+
+impl Prose {
+    /// Those of some notes.
+    pub fn of(notes: &Notes) -> Self {
+        let said = |span: &Span| {
+            let text = notes.source.slice(body_of(notes, *span)?);
+            let (name, formula) = text.split_once('=').filter(|(_, formula)| !formula.contains('='))?;
+            let is_one = !["<", ">", "\\approx", "\\to", "\\ne", "\\le", "\\ge", ",", "\\pm", "\\mp"]
+                .iter()
+                .any(|mark| formula.contains(mark));
+            let is_meant = is_one && (is_announced(notes, *span) || !follows_condition(notes, *span));
+            let line = 1 + notes.source.text[..span.start].matches('\n').count();
+            is_meant.then(|| Said { name: name.trim().to_owned(), formula: formula.trim().to_owned(), line })
+        };
+        Prose(notes.inline.iter().filter_map(said).collect())
+    }
+
+    /// Defines a name that one of the readings lacks, or else the Lagrangian; returns whether it has found one.
+    pub fn define<'r>(
+        &self,
+        (claims, notes): (&Claims, &Notes),
+        unread: impl Iterator<Item = (usize, &'r Reading)>,
+        model: &mut Model,
+    ) -> bool {
+        let is_missing = |fault: &Fault| matches!(fault.missing, Some(Missing::Name(_)));
+        let texts: Vec<&str> = unread
+            .filter(|(_, reading)| faults(reading).any(is_missing))
+            .map(|(at, _)| notes.equations[at].text.as_str())
+            .collect();
+        let is_used = |name: &str| texts.iter().any(|text| name_search::mentions(text, name, &model.macros));
+        // What a display defines that cannot be read yet is not taken from the prose.
+        let is_defined = |name: &str| texts.iter().any(|text| name_search::is_a_side(text, name, &model.macros));
+        let names = self.0.iter().map(|said| said.name.as_str());
+        let missing: Vec<&str> = names.filter(|name| is_used(name) && !is_defined(name)).collect();
+        let lagrangian = model.printed_lagrangian.as_ref().map(|printed| printed.lagrangian.to_string());
+        let lacks =
+            |name: &str| name_search::parse_decorated(name).is_some_and(|name| model.symbols.find(&name).is_none());
+        let wanted: Vec<String> =
+            missing.into_iter().map(str::to_owned).chain(lagrangian.clone()).filter(|name| lacks(name)).collect();
+        wanted.iter().any(|name| {
+            self.define_one(claims, name, model)
+                || lagrangian.as_ref() == Some(name) && define_by_energies((claims, notes), name, model)
+        })
+    }
+
+    /// Defines a name by the formula that the prose has for it.
+    fn define_one(&self, claims: &Claims, name: &str, model: &mut Model) -> bool {
+        let plain = |text: &str| text.split_whitespace().collect::<String>();
+        let mut own = self.0.iter().filter(|said| name_search::same(&said.name, name));
+        let Some(first) = own.next().filter(|first| own.all(|other| plain(&other.formula) == plain(&first.formula)))
+        else {
+            return false;
+        };
+        defines(claims, (name, &first.formula), model, &format!("as line {} of the notes says", first.line))
+    }
+}
+
+/// Defines the Lagrangian by the energies that the claims file names.
+fn define_by_energies((claims, notes): (&Claims, &Notes), name: &str, model: &mut Model) -> bool {
+    // A display that begins with the name defines it, though it cannot be read.
+    if notes.equations.iter().any(|display| name_search::is_a_side(&display.text, name, &model.macros)) {
+        return false;
+    }
+    let energy = |wanted: &str| {
+        let mut named = claims.means.iter().filter(|(_, meaning)| meaning.value == wanted).map(|(name, _)| &name.value);
+        named.next().filter(|_| named.next().is_none())
+    };
+    let Some((kinetic, potential)) = energy("kinetic energy").zip(energy("potential energy")) else { return false };
+    let formula = format!("{kinetic} - {potential}");
+    defines(claims, (name, &formula), model, "as the claims file names the kinetic and the potential energy")
+}
+
+/// Defines a name by a formula in which something stands that displays define, or that is declared; returns whether it can.
+fn defines(claims: &Claims, (name, formula): (&str, &str), model: &mut Model, why: &str) -> bool {
+    let spanned = |text: &str| Spanned { value: text.to_owned(), span: Span::default() };
+    let mut with = model.clone();
+    if define(claims, &spanned(name), &spanned(formula), &mut with).is_err() {
+        return false;
+    }
+    let found = name_search::parse_decorated(name).and_then(|name| with.symbols.find(&name)).map(|(id, _)| id);
+    let Some(Meaning::Defined(new)) = found.and_then(|id| with.meaning(id)) else { return false };
+    if Expr::symbols(new).is_empty() {
+        return false;
+    }
+    with.inferred.push(format!("{} = {}, {why}", text::plain(name), text::plain(formula)));
+    *model = with;
+    true
+}
+
+/// The formula of a sentence without its marks.
+pub(crate) fn body_of(notes: &Notes, span: Span) -> Option<Span> {
+    let text = notes.source.text.get(span.range())?;
+    let marks = [("$", "$"), ("\\(", "\\)")];
+    marks.iter().find_map(|(open, close)| {
+        let inner = text.strip_prefix(open)?.strip_suffix(close).filter(|inner| !inner.starts_with('$'))?;
+        let start = span.start + open.len();
+        Some(Span::new(start, start + inner.len()))
+    })
+}
+
+/// Whether words before a formula in a sentence announce a definition.
+pub(crate) fn is_announced(notes: &Notes, span: Span) -> bool {
+    let words = words_before(notes, span);
+    let Some(announced) = last(&words, &ANNOUNCE) else { return false };
+    last(&words, &CONDITION).is_none_or(|condition| condition < announced) && words.len() - announced <= MOST_WORDS
+}
+
+/// Whether the sentence of a formula begins with a condition.
+pub(crate) fn follows_condition(notes: &Notes, span: Span) -> bool {
+    last(&words_before(notes, span), &CONDITION).is_some()
+}
+
+/// The last place of one of these words.
+fn last(words: &[String], list: &[&str]) -> Option<usize> {
+    words.iter().rposition(|word| list.contains(&word.as_str()))
+}
+
+/// The words of a sentence before a formula in it.
+fn words_before(notes: &Notes, span: Span) -> Vec<String> {
+    let text = &notes.source.text;
+    let start = notes.equations.iter().map(|display| display.span.end).filter(|end| *end <= span.start).max();
+    let mut from = start.unwrap_or(0).max(span.start.saturating_sub(LONGEST));
+    while !text.is_char_boundary(from) {
+        from += 1;
+    }
+    // Formulas are no words.
+    let mut words = text[from..span.start].to_owned();
+    for other in notes.inline.iter().filter(|other| other.start >= from && other.end <= span.start) {
+        words.replace_range(other.start - from..other.end - from, &" ".repeat(other.end - other.start));
+    }
+    let sentence = words.rsplit(['.', '?', '!', ';', ':']).next().unwrap_or_default();
+    let sentence = sentence.rsplit("\n\n").next().unwrap_or_default().to_lowercase();
+    sentence.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty()).map(str::to_owned).collect()
+}
