@@ -46,12 +46,22 @@ impl Renamed {
 /// A text in which each name of a table is replaced, and what is written by hand is made readable ([`foreign`]).
 /// Overdots and powers stay.
 pub fn renamed(text: &str, macros: &Macros, table: &HashMap<Name, Name>) -> Renamed {
+    renamed_with(text, macros, table, &[])
+}
+
+/// The same, with further edits of the text, which come before all others.
+pub fn renamed_with(text: &str, macros: &Macros, table: &HashMap<Name, Name>, others: &[(Span, String)]) -> Renamed {
     let Ok(items) = typeset_items(text, macros) else { return Renamed::unchanged(text) };
-    let mut edits = Vec::new();
+    let mut edits: Vec<(Span, String)> = Vec::new();
     for item in &items {
         collect(item, text, table, &mut edits);
     }
     edits.extend(foreign::edits(text));
+    // Two edits of one place contradict each other.
+    edits.retain(|(span, _)| {
+        !others.iter().any(|(other, _)| other.start < span.end.max(span.start + 1) && span.start < other.end)
+    });
+    edits.extend_from_slice(others);
     edits.sort_by_key(|(span, _): &(Span, String)| (span.start, span.end));
     edits.dedup();
     let mut renamed = Renamed { text: String::new(), places: Vec::new() };

@@ -28,13 +28,13 @@ pub(super) fn may_be(checker: &Checker<'_>, statement: &Statement, wanted: &[Sym
             && value.is_null()
             && matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)))
     };
-    sets(checker, first, second, wanted)
-        || sets(checker, second, first, wanted)
+    sets(checker, first, second, (wanted, is_said))
+        || sets(checker, second, first, (wanted, is_said))
         || rests(first, second)
         || rests(second, first)
 }
 
-fn sets(checker: &Checker<'_>, name: &Expr, value: &Expr, wanted: &[SymbolId]) -> bool {
+fn sets(checker: &Checker<'_>, name: &Expr, value: &Expr, (wanted, is_said): (&[SymbolId], bool)) -> bool {
     let Node::Symbol { id, dots, .. } = &name.node else { return false };
     let is_free = match checker.model.meaning(*id) {
         Some(Meaning::Coordinate(_) | Meaning::Varying(_)) => *dots <= 1,
@@ -43,12 +43,19 @@ fn sets(checker: &Checker<'_>, name: &Expr, value: &Expr, wanted: &[SymbolId]) -
         Some(Meaning::Defined(_) | Meaning::System(_)) => value.symbols().is_empty() && varies(checker, name),
         _ => false,
     };
+    // The text may put a coordinate where the problem has a name for the place: "in the middle, x = x_0".
+    let moves = matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
+    let is_place = |symbol: SymbolId| {
+        let name = Expr::new(Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, Span::default());
+        is_said && moves && *dots == 0 && value.as_plain_symbol() == Some(symbol) && !varies(checker, &name)
+    };
     let is_constant = |(symbol, dots): &(SymbolId, u8)| {
-        *dots == 0 && matches!(checker.model.meaning(*symbol), Some(Meaning::Constant(_)))
+        let is_constant = matches!(checker.model.meaning(*symbol), Some(Meaning::Constant(_)));
+        *dots == 0 && (is_constant || is_place(*symbol))
     };
     let symbols = value.symbols();
     let is_wanted = |id: &SymbolId| wanted.contains(id);
-    let is_open = !is_wanted(id) && !symbols.iter().any(|(id, _)| is_wanted(id));
+    let is_open = !is_wanted(id) && !symbols.iter().any(|(id, _)| is_wanted(id) && !is_place(*id));
     is_free && is_open && symbols.len() <= 1 && symbols.iter().all(is_constant)
 }
 
@@ -207,6 +214,11 @@ impl Implied {
 
 /// The value of a symbol, or of its rate, for which a formula that is linear in it vanishes.
 fn solved(checker: &Checker<'_>, difference: &Expr, (id, dots): (SymbolId, u8)) -> Option<Implied> {
+    Some(Implied { id, dots, value: solved_for(checker, difference, (id, dots))? })
+}
+
+/// The same as a formula.
+pub(super) fn solved_for(checker: &Checker<'_>, difference: &Expr, (id, dots): (SymbolId, u8)) -> Option<Expr> {
     let variable = Variable { id, indices: Vec::new(), dots };
     let scope = Scope { symbols: &checker.model.symbols, fixed: &[] };
     let slope = partial(difference, &variable, scope, difference.span).ok()?;
@@ -217,12 +229,13 @@ fn solved(checker: &Checker<'_>, difference: &Expr, (id, dots): (SymbolId, u8)) 
         }
         _ => None,
     });
-    let has = |formula: &Expr| formula.symbols().iter().any(|(found, _)| *found == id);
+    // A rate may stand beside what it is the rate of.
+    let has = |formula: &Expr| formula.symbols().iter().any(|(found, order)| *found == id && *order >= dots);
     if slope.is_null() || has(&slope) || has(&rest) {
         return None;
     }
     let value = Node::Quotient(Box::new(rest.negated()), Box::new(slope));
-    Some(Implied { id, dots, value: Expr::new(value, difference.span) })
+    Some(Expr::new(value, difference.span))
 }
 
 /// Whether a formula changes with time.

@@ -22,16 +22,24 @@ pub(super) struct Judged {
 }
 
 impl Judged {
-    /// How well the hand-in fits the problem: what holds and is reached, less what is false or cannot be read.
+    /// How well the hand-in fits the problem: what holds and is reached, less what is false or cannot be read. After the first
+    /// false line a false line may be carried on, and says little; so does a true one, which may follow from it.
     pub fn score(&self) -> i64 {
-        let weight = |line: &Line| match line.mark {
-            Mark::Right => 2,
-            Mark::Carried => 1,
-            Mark::Wrong => -2,
-            Mark::Unread | Mark::Open => -1,
-            Mark::Given => 0,
-        };
+        let mut is_after = false;
+        let mut sum = 0;
+        for line in &self.lines {
+            sum += match line.mark {
+                Mark::Right if is_after => 2,
+                Mark::Right => 4,
+                Mark::Carried => 2,
+                Mark::Wrong if is_after => -1,
+                Mark::Wrong => -4,
+                Mark::Unread | Mark::Open => -2,
+                Mark::Given => 0,
+            };
+            is_after |= line.mark == Mark::Wrong;
+        }
         let reached = self.found.iter().flatten().filter(|found| found.is_right).count();
-        self.lines.iter().map(weight).sum::<i64>() + 4 * i64::try_from(reached).unwrap_or(0)
+        sum + 8 * i64::try_from(reached).unwrap_or(0)
     }
 }

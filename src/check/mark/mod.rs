@@ -28,6 +28,7 @@ mod problem;
 mod results;
 mod rounded;
 mod slip;
+mod special;
 mod status;
 mod world;
 mod written;

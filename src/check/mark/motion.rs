@@ -4,22 +4,27 @@
 //! first integral of a motion that starts from rest is. It is put to the test with the printed functions in the place of
 //! the coordinates. For the same reason a function of the time that solves the laws may be false: for other initial values.
 
+use crate::formula::calculus::places::at;
+use crate::formula::derivative::{Scope, partial};
+use crate::formula::tree;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
-use crate::latex::Reading;
-use crate::notes::claims::Claim;
+use crate::latex::{Reading, read_formula};
+use crate::notes::claims::{Claim, Range};
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
 use crate::check::kinds::printed_solution::{Solution, constants_of_integration};
 use crate::check::kinds::solution_of_laws;
 use crate::check::model::Model;
-use crate::check::model::meaning::Meaning;
+use crate::check::model::meaning::{Meaning, Variable};
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 
+use super::given::solved_for;
 use super::slip;
 use super::status::{Status, status};
 use super::world::World;
+use super::written::instants::Instant;
 
 /// The printed functions of the time.
 pub(super) struct Motion {
@@ -75,6 +80,109 @@ impl Motion {
     /// The model solution for a coordinate.
     fn solution(&self, coordinate: SymbolId) -> Option<&Solution> {
         self.solutions.iter().find(|known| known.coordinate == coordinate)
+    }
+
+    /// A formula with the printed functions in the place of the coordinates, and with definitions written out that contain the
+    /// time.
+    pub fn inserted(&self, checker: &Checker<'_>, mut formula: Expr) -> Expr {
+        for _ in 0..DEEPEST {
+            formula.substitute(&|node| {
+                let Node::Symbol { id, dots, .. } = node else { return None };
+                let value = match checker.model.meaning(*id) {
+                    Some(Meaning::Defined(value)) if checker.model.depends_on(value, &self.moving(checker)) => value,
+                    _ => &self.solution(*id)?.formula,
+                };
+                let span = value.span;
+                Some(match *dots {
+                    0 => value.clone(),
+                    dots => Expr::new(Node::TimeDerivative(dots, Box::new(value.clone())), span),
+                })
+            });
+        }
+        formula
+    }
+
+    /// The motion in which a line says what a coordinate is; `None`, if it does not.
+    pub fn with(&self, checker: &Checker<'_>, own: &Reading) -> Option<Motion> {
+        let [Ok(statement)] = own.statements.as_slice() else { return None };
+        let own = printed(checker, statement).filter(|own| own.dots == 0)?;
+        let mut model = self.model.clone();
+        model.redefine(own.coordinate, own.formula.clone());
+        let mut solutions = self.solutions.clone();
+        solutions.retain(|known| known.coordinate != own.coordinate);
+        solutions.push(own);
+        Some(Motion { solutions, chosen: self.chosen.clone(), model })
+    }
+
+    /// Whether a line prints a solution of the laws for a coordinate, or for what is one but for a constant, with constants
+    /// that are only said later: `y = A \cos\omega t`. `later` are the names that later lines give a value.
+    pub fn is_general(&self, checker: &Checker<'_>, (at, own): (usize, &Reading), later: &[SymbolId]) -> bool {
+        let [Ok(statement)] = own.statements.as_slice() else { return false };
+        let [first, second] = statement.members.as_slice() else { return false };
+        let constants: Vec<SymbolId> =
+            second.symbols().into_iter().map(|(id, _)| id).filter(|id| later.contains(id)).collect();
+        let Some(name) = first.as_plain_symbol().filter(|_| !constants.is_empty()) else { return false };
+        let mut model = checker.model.clone();
+        for id in constants {
+            model.mean(id, Meaning::Constant(model.constants.len()));
+            model.constants.push(Variable::number(id, Range::Any));
+        }
+        let free = Checker { model: &model, units: None, ..*checker };
+        let moves = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
+        let formula = match model.meaning(name) {
+            Some(Meaning::Defined(definition)) => definition.as_ref().clone(),
+            _ => first.clone(),
+        };
+        let Some(id) = formula.symbols().into_iter().map(|(id, _)| id).find(moves) else { return false };
+        let Some(value) = solved_for(&free, &formula.minus(second.clone()), (id, 0)) else { return false };
+        let coordinate = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, first.span);
+        let Ok(link) = free.link(&coordinate, Relation::Equal, &value) else { return false };
+        let Some(solution) = Solution::of_link(&link, &model) else { return false };
+        let topic = format!("{} solution", shown(&checker.notes.equations[at]));
+        let context = Context {
+            model: &model,
+            options: checker.options,
+            hypotheses: &[],
+            on_shell: None,
+            topic: &topic,
+            span: checker.notes.equations[at].body,
+            spread: Spread::Declared,
+            local: &[],
+        };
+        let found = solution_of_laws::by_substitution(&solution, &[], &context).ok().flatten();
+        found.is_some_and(|found| found.verdict.holds())
+    }
+
+    /// The value at an instant, which has the letters of the problem; `None`, if the motion is not known.
+    pub fn value(&self, checker: &Checker<'_>, instant: &Instant) -> Option<Expr> {
+        let mut symbols = checker.model.symbols.clone();
+        let known = symbols.len();
+        let mut read = |text: &str| read_formula(text, &mut symbols, &checker.model.macros).ok();
+        let (of, when) = (read(&instant.of)?, read(&instant.when)?);
+        let is_known = |formula: &Expr| formula.symbols().iter().all(|(id, _)| id.0 < known);
+        if !is_known(&of) || !is_known(&when) {
+            return None;
+        }
+        let is_time = |id: &SymbolId| matches!(checker.model.meaning(*id), Some(Meaning::Time));
+        let time = checker.model.symbols.iter().map(|(id, _)| id).find(is_time)?;
+        let mut formula = self.inserted(checker, of);
+        differentiated(checker, &mut formula, time)?;
+        let moving = self.moving(checker);
+        let is_fixed = |(id, dots): &(SymbolId, u8)| {
+            let name = Expr::new(Node::Symbol { id: *id, indices: Vec::new(), dots: 0 }, formula.span);
+            *dots == 0
+                && (*id == time || !checker.model.depends_on(&name, &moving) && checker.model.meaning(*id).is_some())
+        };
+        formula.symbols().iter().all(is_fixed).then(|| at(&formula, time, &when))
+    }
+
+    /// The time and the coordinates.
+    fn moving(&self, checker: &Checker<'_>) -> Vec<SymbolId> {
+        let all = checker.model.symbols.iter().map(|(id, _)| id);
+        all.filter(|id| {
+            matches!(checker.model.meaning(*id), Some(Meaning::Time | Meaning::Coordinate(_) | Meaning::Varying(_)))
+        })
+        .collect()
     }
 
     /// What a line is along the motion, under the hypotheses of a claim; `is_quick` for a few numbers alone.
@@ -164,6 +272,23 @@ impl Motion {
         let link = checker.link(&at_first(&own.formula), Relation::Equal, &at_first(&known.formula));
         link.is_ok_and(|link| super::carried::numbers::holds(checker, &self.model, &link, &[]) == Some(true))
     }
+}
+
+/// Takes the rates in a formula of the time.
+fn differentiated(checker: &Checker<'_>, formula: &mut Expr, time: SymbolId) -> Option<()> {
+    for child in formula.children_mut() {
+        differentiated(checker, child, time)?;
+    }
+    if let Node::TimeDerivative(order, inner) = &formula.node {
+        let by = tree::Variable { id: time, indices: Vec::new(), dots: 0 };
+        let scope = Scope { symbols: &checker.model.symbols, fixed: &[] };
+        let mut rate = (**inner).clone();
+        for _ in 0..*order {
+            rate = partial(&rate, &by, scope, formula.span).ok()?;
+        }
+        *formula = rate;
+    }
+    Some(())
 }
 
 /// The function of the time that a statement prints for a coordinate or its rate.

@@ -12,6 +12,7 @@ use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
 
 use super::names::Names;
+use super::special::Special;
 
 /// A wanted result.
 #[derive(Clone, Debug)]
@@ -47,6 +48,8 @@ pub struct Problem {
     pub(super) laws: Vec<usize>,
     /// Its names.
     pub(super) names: Names,
+    /// Its special states.
+    pub(super) special: Special,
 }
 
 impl Problem {
@@ -113,10 +116,23 @@ impl Problem {
                 contexts.push(context);
             }
         }
-        let names = with_checker(run, &claims, notes, |checker| Ok(Names::of(checker.model)))?;
+        let (names, special) = with_checker(run, &claims, notes, |checker| {
+            Ok((Names::of(checker.model), Special::of(&checker, &claims)))
+        })?;
         let laws = (0..verdicts.len()).filter(|at| verdicts[*at] == Verdict::Law).collect();
         let names_results = !rubric.results.is_empty();
-        Ok(Problem { claims, notes: notes.clone(), rubric, names_results, wanted, contexts, verdicts, laws, names })
+        Ok(Problem {
+            claims,
+            notes: notes.clone(),
+            rubric,
+            names_results,
+            wanted,
+            contexts,
+            verdicts,
+            laws,
+            names,
+            special,
+        })
     }
 
     /// The share of the points for results without steps.

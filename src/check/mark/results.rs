@@ -24,6 +24,7 @@ use super::carried::numbers::{self, FEWEST, STATES};
 use super::judged::Found;
 use super::marked::{Line, Mark, Slipped};
 use super::problem::{Problem, Wanted};
+use super::special::AT_SPEED;
 use super::status::composed;
 use super::world::World;
 
@@ -45,6 +46,7 @@ pub(super) fn found(
     (premises, corrected): (&[Reading], Option<&[Option<String>]>),
 ) -> Result<Vec<Option<Found>>> {
     let mut all = Vec::new();
+    let is_at_speed: Vec<bool> = lines.iter().map(|line| line.because.starts_with(AT_SPEED)).collect();
     for wanted in &world.problem.wanted {
         let Some(goal) = Goal::of(checker, world, wanted) else {
             all.push(None);
@@ -54,7 +56,8 @@ pub(super) fn found(
             let display = world.first + at;
             let own = &checker.readings[display];
             let mut both = vec![own];
-            if world.written[at].continues.is_some() {
+            let is_at_speed = is_at_speed[at];
+            if world.written[at].continues.is_some() || is_at_speed {
                 both.push(&premises[display]);
             }
             both

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use crate::Result;
 use crate::formula::symbols::Name;
-use crate::latex::rename::{Renamed, renamed};
+use crate::latex::rename::{Renamed, renamed, renamed_with};
 use crate::latex::{Macros, names};
 use crate::notes::claims::{Claims, Declaration, Range, Role, Spanned};
 use crate::notes::{Display, Form, MacroDefinition, Notes, Numbered};
@@ -22,6 +22,7 @@ use crate::check::unaided::guess::names::{Usage, names_of};
 use super::names::Letters;
 use super::problem::Problem;
 use super::written::Written;
+use super::written::instants::Instant;
 
 /// Commands for functions in other languages.
 const FOREIGN: [(&str, &str); 6] = [
@@ -46,6 +47,8 @@ pub(super) struct World<'p> {
     pub first: usize,
     /// The names that only the hand-in has, and that were declared for it.
     pub declared: Vec<Name>,
+    /// The values at instants, with the letters of the problem.
+    pub instants: Vec<Instant>,
     lines: Vec<(usize, Renamed)>,
     /// The letters of the problem, and those of the student that stand for them.
     back: HashMap<Name, Name>,
@@ -59,7 +62,7 @@ impl<'p> World<'p> {
     pub fn new(
         run: &Run<'_>,
         problem: &'p Problem,
-        (notes, written): (&Notes, &'p [Written]),
+        (notes, written, instants): (&Notes, &'p [Written], &[Instant]),
         letters: &Letters,
     ) -> Result<World<'p>> {
         let table = &problem.names.renamed(letters);
@@ -70,7 +73,7 @@ impl<'p> World<'p> {
         let mut lines = Vec::new();
         let mut displays = Vec::new();
         for line in written {
-            let new = renamed(&line.text, &macros, table);
+            let new = renamed_with(&line.text, &macros, table, &line.edits);
             let body = Span::new(text.len(), text.len() + new.text.len());
             text.push_str(&new.text);
             text.push('\n');
@@ -143,7 +146,25 @@ impl<'p> World<'p> {
         let first = together.equations.len() - written.len();
         let claims = problem.claims.clone();
         let back = table.iter().map(|(own, other)| (other.clone(), own.clone())).collect();
-        let mut world = World { problem, written, claims, notes: together, first, declared: Vec::new(), lines, back };
+        let instants = instants.iter().map(|instant| Instant {
+            name: instant.name.clone(),
+            of: renamed(&instant.of, &macros, table).text,
+            when: renamed(&instant.when, &macros, table).text,
+        });
+        let mut world = World {
+            problem,
+            written,
+            claims,
+            notes: together,
+            first,
+            declared: Vec::new(),
+            instants: instants.collect(),
+            lines,
+            back,
+        };
+        for name in world.instants.clone().iter().filter_map(|instant| Some(names::parse(&instant.name)?.0)) {
+            world.declare(&name, &usages);
+        }
         world.declare_missing_names(run, &usages)?;
         Ok(world)
     }
@@ -174,7 +195,10 @@ impl<'p> World<'p> {
     fn declare(&mut self, name: &Name, usages: &[Usage]) -> bool {
         let shown = name.to_string();
         let is_hat = shown.starts_with("\\hat") || shown.starts_with("\\mathrm");
-        if self.declared.contains(name) || is_hat {
+        // The d of a differential is no name.
+        let is_differential = shown == "d" && usages.iter().any(|usage| usage.name == *name && usage.precedes);
+        let is_known = self.problem.names.symbols.find(name).is_some();
+        if self.declared.contains(name) || is_hat || is_known || is_differential {
             return false;
         }
         let is_vector = ["\\vec{", "\\mathbf{", "\\boldsymbol{", "\\bm{"].iter().any(|mark| shown.starts_with(mark));

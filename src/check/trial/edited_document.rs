@@ -61,15 +61,20 @@ pub(crate) fn first_unexpected(
 
 /// The same notes with another text. Displays that the notes give a name, as those without a number have where no claims file is,
 /// keep it.
+///
+/// # Errors
+/// When the text cannot be read, or when it has more or fewer displays.
 pub(crate) fn with_text(notes: &Notes, text: String) -> Result<Notes> {
     let path = &notes.source.path;
     let kind = Kind::of(Path::new(path)).ok_or_else(|| Error::new(format!("{path} is not a file of notes")))?;
     let mut edited = Notes::parse(Arc::new(Source::new(path.clone(), text)), kind)?;
-    if edited.equations.len() == notes.equations.len() {
-        for (display, before) in edited.equations.iter_mut().zip(&notes.equations) {
-            if let (None, Some(name)) = (display.id(), before.id()) {
-                display.number = Some(Numbered { id: name.to_owned(), span: display.body });
-            }
+    // A hand-in and its problem together are no file: read as one, they have other displays.
+    if edited.equations.len() != notes.equations.len() {
+        return Err(Error::new(format!("with this edit {path} has other displays")));
+    }
+    for (display, before) in edited.equations.iter_mut().zip(&notes.equations) {
+        if let (None, Some(name)) = (display.id(), before.id()) {
+            display.number = Some(Numbered { id: name.to_owned(), span: display.body });
         }
     }
     Ok(edited)

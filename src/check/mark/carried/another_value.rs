@@ -35,6 +35,32 @@ pub(super) fn follows(checker: &Checker<'_>, from: usize, (at, own): (usize, &Re
     })
 }
 
+/// Whether a line says of a quantity at an instant what a false line says of it at all times, where the problem says the same
+/// with its own formula: `E_h = \frac{(Q_0/2)^2}{C}` after `E = \frac{q^2}{C}`.
+pub(super) fn at_the_same_place(checker: &Checker<'_>, from: usize, own: &Reading, first: usize) -> bool {
+    let statements = |reading: &Reading| reading.statements.iter().flatten().cloned().collect::<Vec<_>>();
+    let of_problem: Vec<_> = checker.readings[..first].iter().flat_map(statements).collect();
+    let known = |left: &Expr| -> Vec<Expr> {
+        let alike = of_problem.iter().filter(|known| known.members.first() == Some(left));
+        alike.flat_map(|known| known.members.iter().skip(1).cloned()).collect()
+    };
+    let (wrong, [Ok(line)]) = (&checker.readings[from], own.statements.as_slice()) else { return false };
+    let [Ok(wrong)] = wrong.statements.as_slice() else { return false };
+    let (Some(general), Some(special)) = (wrong.members.first(), line.members.first()) else { return false };
+    let (Some(formula), true) = (wrong.members.last(), general != special) else { return false };
+    // Each member of the line must be the first one's value; the others follow by algebra.
+    let Some(printed) = line.members.get(1) else { return false };
+    let moves =
+        |id: &SymbolId| matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
+    let moving: Vec<SymbolId> = formula.symbols().into_iter().map(|(id, _)| id).filter(moves).collect();
+    moving.into_iter().any(|id| {
+        let Some(value) = value_of(id, formula, printed) else { return false };
+        known(general)
+            .iter()
+            .any(|formula| known(special).iter().any(|member| value_of(id, formula, member).as_ref() == Some(&value)))
+    })
+}
+
 /// The formula that stands in `other` where `formula` has a symbol, if they are the same beside it.
 fn value_of(id: SymbolId, formula: &Expr, other: &Expr) -> Option<Expr> {
     if formula.as_plain_symbol() == Some(id) {

@@ -1,6 +1,8 @@
 //! Follow-through: the false line before it from which a false line follows.
 
 mod another_value;
+mod derived;
+pub(super) mod energies;
 pub(super) mod numbers;
 
 use crate::Result;
@@ -15,6 +17,7 @@ use crate::check::sample::context::Options;
 use crate::check::steps::entailment::{EarlierSteps, Entailment};
 
 use super::motion::Motion;
+use super::special::Special;
 use super::status::{Status, status};
 
 /// The number of false lines before it that a line is compared with, the nearest first.
@@ -32,6 +35,8 @@ pub(super) struct Before<'b> {
     pub laws: &'b [usize],
     /// The motion of the problem.
     pub motion: &'b Motion,
+    /// The special states of the problem.
+    pub special: &'b Special,
 }
 
 /// The false line from which a false line follows, by its display.
@@ -50,7 +55,12 @@ pub(super) fn origin(
             return Ok(Some(*from));
         }
         let of_problem = before.all.first().copied().unwrap_or(*from);
-        if another_value::follows(checker, *from, (at, own), of_problem) {
+        let is_at_a_place = || {
+            let rest = rest_of_chain(own);
+            another_value::at_the_same_place(checker, *from, own, of_problem)
+                && rest.is_none_or(|rest| matches!(status(checker, at, &rest, &Claim::default()), Status::Holds(..)))
+        };
+        if another_value::follows(checker, *from, (at, own), of_problem) || is_at_a_place() {
             return Ok(Some(*from));
         }
         if redefines(checker, *from, (at, own)) || shares_a_misreading(checker, *from, (at, own)) {
@@ -60,6 +70,9 @@ pub(super) fn origin(
         let is_inserted = numbers::inserted(checker, wrong, own)
             .is_some_and(|new| matches!(status(checker, at, &new, &Claim::default()), Status::Holds(..)));
         if is_inserted || numbers::follows(checker, *from, before, own) {
+            return Ok(Some(*from));
+        }
+        if is_about_rest(checker, wrong, (at, own), before.special) {
             return Ok(Some(*from));
         }
         if pieces.is_empty() {
@@ -72,6 +85,33 @@ pub(super) fn origin(
         }
     }
     Ok(None)
+}
+
+/// A chain without its first member; `None`, if nothing is left to say.
+fn rest_of_chain(own: &Reading) -> Option<Reading> {
+    let [Ok(statement)] = own.statements.as_slice() else { return None };
+    (statement.members.len() > 2).then(|| {
+        let (members, relations) = (statement.members[1..].to_vec(), statement.relations[1..].to_vec());
+        let statement = Statement { members, relations, ..statement.clone() };
+        Reading { statements: vec![Ok(statement)], introduced: Vec::new() }
+    })
+}
+
+/// Whether a line says where a false equation of motion has a place of rest, or what it says for small motion.
+fn is_about_rest(checker: &Checker<'_>, wrong: &Reading, (at, own): (usize, &Reading), special: &Special) -> bool {
+    let places = special.places();
+    let rests = || {
+        let rest = derived::at_rest(checker, wrong, places)?;
+        let is_place = |(id, _): &(SymbolId, u8)| {
+            places.iter().any(|(_, place)| checker.model.symbols.find(place).is_some_and(|(found, _)| found == *id))
+        };
+        derived::symbols(own).iter().any(is_place).then(|| numbers::says(checker, own, &rest, places))
+    };
+    if rests() == Some(true) {
+        return true;
+    }
+    let small = derived::accelerated(checker, wrong, own);
+    small.is_some_and(|small| special.is_linear(checker, own) && special.holds_when_small(checker, at, &small))
 }
 
 /// Whether a line holds where a name of the problem means what a false line says that it is.

@@ -4,6 +4,7 @@
 //! States are drawn that obey these lines, as equations between numbers, and nothing else. A step that inserts one line into
 //! another, or solves for something else, is found in this way, and so is a differentiated conservation law.
 
+use crate::formula::symbols::Name;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
 use crate::latex::Reading;
 use crate::notes::claims::{Claim, Range};
@@ -18,7 +19,7 @@ use crate::check::sample::context::Context;
 use crate::check::sample::outcome;
 
 use super::super::status::{Status, status};
-use super::Before;
+use super::{Before, derived};
 
 /// The states at which equations are compared, and how many of them must decide.
 pub(in crate::check::mark) const STATES: usize = 8;
@@ -56,8 +57,15 @@ pub(in crate::check::mark) fn holds(
 }
 
 /// Whether a false line follows from a false line, by itself or with true lines.
-pub(in crate::check::mark) fn follows(checker: &Checker<'_>, from: usize, before: &Before<'_>, own: &Reading) -> bool {
-    let (Some(wrong), Some(own)) = (links(checker, &checker.readings[from]), links(checker, own)) else { return false };
+pub(in crate::check::mark) fn follows(
+    checker: &Checker<'_>,
+    from: usize,
+    before: &Before<'_>,
+    reading: &Reading,
+) -> bool {
+    let (Some(wrong), Some(own)) = (links(checker, &checker.readings[from]), links(checker, reading)) else {
+        return false;
+    };
     let mut model = checker.without_system(false).model;
     for id in conserved(checker, from, wrong.iter().chain(&own)) {
         model.mean(id, Meaning::Constant(model.constants.len()));
@@ -72,9 +80,21 @@ pub(in crate::check::mark) fn follows(checker: &Checker<'_>, from: usize, before
     let premises = |links: &mut dyn Iterator<Item = &Link>| -> Vec<Hypothesis> {
         links.map(|link| Hypothesis::of(link.clone(), false)).collect()
     };
+    let others_of = |all: &[usize]| -> Vec<usize> { all.iter().rev().take(BESIDE).copied().collect() };
+    let mut derived = derived::insertions(checker, &checker.readings[from], &others_of(before.sound));
+    derived.extend(derived::insertions(checker, &checker.readings[from], before.laws));
+    if let Some(motion) = derived::motion_by_a_slope(checker, from).and_then(|motion| links(checker, &motion)) {
+        let same = |link: &Link| motion.iter().any(|known| checker.proportional(link, known, &[]).unwrap_or(false));
+        if own.iter().all(same) {
+            return true;
+        }
+    }
+    derived.extend(derived::at_instants(checker, &checker.readings[from], reading));
+    let derived: Vec<Vec<Link>> = derived.iter().filter_map(|reading| links(checker, reading)).collect();
     let rates: Vec<Link> = wrong.iter().filter_map(|link| rate(checker, link)).collect();
     let mut sets = vec![premises(&mut wrong.iter()), premises(&mut rates.iter())];
     sets.extend(sound.iter().chain(&laws).map(|one| premises(&mut wrong.iter().chain(one))));
+    sets.extend(derived.iter().map(|one| premises(&mut one.iter())));
     if sound.len() > 1 {
         sets.push(premises(&mut wrong.iter().chain(sound.iter().flatten())));
     }
@@ -101,12 +121,75 @@ pub(in crate::check::mark) fn follows(checker: &Checker<'_>, from: usize, before
         }
     }
     let mut open = model;
+    // A frequency of small oscillations is what a false equation of motion says that it is.
+    let is_frequency = |id: &SymbolId| {
+        let name = &checker.model.symbols.entry(*id).name;
+        let is_defined = matches!(checker.model.meaning(*id), Some(Meaning::Defined(_)));
+        checker.model.normal_frequencies.contains(name) || is_defined && name.base == "\\omega"
+    };
+    let mut used = own.iter().flat_map(|link| link.lhs.symbols().into_iter().chain(link.rhs.symbols()));
+    let frequency = used.find(|(id, dots)| *dots == 0 && is_frequency(id)).map(|(id, _)| id);
+    let with_frequency =
+        frequency.and_then(|id| derived::with_frequency(checker, &checker.readings[from], reading, id));
+    if let Some(new) = with_frequency.and_then(|reading| links(checker, &reading))
+        && new.iter().all(|link| holds(checker, &open, link, &[]) == Some(true))
+    {
+        return true;
+    }
     for id in &names {
+        let range = if is_positive(checker, *id) { Range::Positive } else { Range::Any };
         open.mean(*id, Meaning::Varying(open.varying.len()));
-        open.varying.push(Variable::number(*id, Range::Any));
+        open.varying.push(Variable::number(*id, range));
     }
     sets.extend(others.iter().map(|one| premises(&mut wrong.iter().chain(one))));
+    let beside = derived.iter().flat_map(|derived| others.iter().map(move |other| (derived, other)));
+    sets.extend(beside.map(|(derived, other)| premises(&mut derived.iter().chain(other))));
     !names.is_empty() && sets.iter().any(|set| holds_all(&open, set))
+}
+
+/// Whether a line follows from a condition and one of the true lines before it, by algebra alone.
+pub(in crate::check::mark) fn follows_under(
+    checker: &Checker<'_>,
+    condition: &Reading,
+    sound: &[usize],
+    own: &Reading,
+) -> bool {
+    let (Some(condition), Some(own)) = (links(checker, condition), links(checker, own)) else { return false };
+    let model = checker.without_system(false).model;
+    let near = sound.iter().rev().take(BESIDE).filter_map(|at| links(checker, &checker.readings[*at]));
+    near.into_iter().any(|known| {
+        let premises = |with: &[Link]| -> Vec<Hypothesis> {
+            with.iter().chain(&known).map(|link| Hypothesis::of(link.clone(), false)).collect()
+        };
+        let (both, one) = (premises(&condition), premises(&[]));
+        own.iter().all(|link| {
+            holds(checker, &model, &beside_one(checker, link), &both) == Some(true)
+                && holds(checker, &model, link, &one) == Some(false)
+                && twice(checker, link).is_none_or(|twice| holds(checker, &model, &twice, &both) == Some(false))
+        })
+    })
+}
+
+/// Whether a quantity of the problem is positive in all its states.
+fn is_positive(checker: &Checker<'_>, id: SymbolId) -> bool {
+    let symbol = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
+    let link = checker.link(&symbol, Relation::Greater, &Expr::integer(0, Span::default()));
+    link.is_ok_and(|link| holds(checker, checker.model, &link, &[]) == Some(true))
+}
+
+/// Whether another line holds wherever a line does, and not everywhere, whatever the places of rest are.
+pub(super) fn says(checker: &Checker<'_>, own: &Reading, other: &Reading, places: &[(Name, Name)]) -> bool {
+    let (Some(own), Some(other)) = (links(checker, own), links(checker, other)) else { return false };
+    let mut model = checker.without_system(false).model;
+    for (id, _) in places.iter().filter_map(|(_, place)| checker.model.symbols.find(place)) {
+        model.mean(id, Meaning::Constant(model.constants.len()));
+        model.constants.push(Variable::number(id, Range::Any));
+    }
+    let premises: Vec<Hypothesis> = own.into_iter().map(|link| Hypothesis::of(link, false)).collect();
+    other.iter().all(|link| {
+        let link = beside_one(checker, link);
+        holds(checker, &model, &link, &premises) == Some(true) && holds(checker, &model, &link, &[]) == Some(false)
+    })
 }
 
 /// A line with the value that a false line gives to a quantity in its place; `None`, if it gives none.

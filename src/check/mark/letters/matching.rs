@@ -36,7 +36,13 @@ pub(super) fn tables(
         named.filter(|(a, b)| a != b).map(|(a, b)| (a.clone(), stands_for(b))).collect()
     };
     let is_number = |name: &Name| known.names.iter().any(|(known, ..)| known == name);
-    let is_sound = |table: &Letters| table.iter().all(|(a, b)| is_own(a) && is_free(&b.name) && is_number(&b.name));
+    // A letter of the problem may be one of its other quantities in the hand-in, if its own meaning goes to another letter or
+    // to none: ω for Ω, and ν for ω.
+    let is_sound = |table: &Letters| {
+        let stands = |a: &Name| is_own(a) || is_number(a);
+        let is_open = |b: &Name| is_free(b) || table.contains_key(b);
+        table.iter().all(|(a, b)| stands(a) && is_open(&b.name) && is_number(&b.name))
+    };
     // The letters with which a line is an equation of the problem, beside those that are known.
     let more = |known: &Pairs, line: &(Expr, Expr), display: &(Expr, Expr)| -> Option<Pairs> {
         let mut pairs = known.clone();

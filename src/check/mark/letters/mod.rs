@@ -13,7 +13,7 @@ use std::collections::HashMap;
 
 use crate::Result;
 use crate::formula::symbols::Name;
-use crate::latex::rename::renamed;
+use crate::latex::rename::renamed_with;
 use crate::latex::{Macros, names};
 use crate::notes::Notes;
 
@@ -27,7 +27,7 @@ use crate::check::mark::marked::Mark;
 use crate::check::mark::names::{Letters, Names, Role, StandsFor};
 use crate::check::mark::problem::{self, Problem};
 use crate::check::mark::world::World;
-use crate::check::mark::written::{Written, written};
+use crate::check::mark::written::{Written, instants, written};
 
 /// The most ways that are tried.
 const WAYS: usize = 60;
@@ -46,12 +46,14 @@ pub(in crate::check::mark) fn best(
 ) -> Result<(Judged, Vec<(String, String)>)> {
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
-    let lines = written(notes, &macros);
+    let mut lines = written(notes, &macros);
+    instants::without_ohms(&mut lines, &problem.names);
+    let instants = instants::named(&mut lines, &problem.names);
     let used = usages(notes, &lines, &macros);
     let known = &problem.names;
     let declared = declared(problem, &used);
     let tried = |table: &Letters, run: &Run<'_>, details: bool| {
-        let world = World::new(run, problem, (notes, &lines), &with_primes(&used, known, table))?;
+        let world = World::new(run, problem, (notes, &lines, &instants), &with_primes(&used, known, table))?;
         judge(run, &world, details)
     };
     let shown = |table: &Letters| {
@@ -109,14 +111,16 @@ fn usages(notes: &Notes, lines: &[Written], macros: &Macros) -> Vec<Usage> {
             span: line.body,
             body: line.body,
             parts: vec![line.body],
-            text: renamed(&line.text, macros, &HashMap::new()).text,
+            text: renamed_with(&line.text, macros, &HashMap::new(), &line.edits).text,
             number: None,
             labels: Vec::new(),
             automatic: Vec::new(),
             line: notes.source.line_column(line.body.start).0,
         })
         .collect();
-    names_of(&displays, macros)
+    let mut all = names_of(&displays, macros);
+    all.retain(|usage| !instants::is_instant(&usage.name));
+    all
 }
 
 /// The letters that the rubric declares, where the hand-in uses them and not the problem's own.
@@ -239,7 +243,8 @@ fn options(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> 
             let dots = rate(&usage.name, *angle);
             found.extend(dots.map(|dots| (1, StandsFor { name: name.clone(), dots })));
         }
-        if is_used(name) || is_taken(name) || !fits(name, *role) {
+        // A letter that stands for another quantity leaves its own meaning to others.
+        if is_used(name) && !declared.contains_key(name) || is_taken(name) || !fits(name, *role) {
             continue;
         }
         let cost = match () {

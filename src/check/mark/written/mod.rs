@@ -1,5 +1,7 @@
 //! The lines of a hand-in: the statements of its displays, the rows of its chains, and the equations in its text.
 
+pub(super) mod instants;
+
 use crate::latex::Macros;
 use crate::latex::foreign;
 use crate::latex::lines::{self, lines};
@@ -27,6 +29,12 @@ pub(super) struct Written {
     pub inline: bool,
     /// Whether a word before it says that it is a condition.
     pub is_supposed: bool,
+    /// Whether "or" stands between it and the line before it.
+    pub is_alternative: bool,
+    /// Whether the text before it says that something is small.
+    pub is_near: bool,
+    /// Edits of what is read that make it readable.
+    pub edits: Vec<(Span, String)>,
 }
 
 /// Words before a display that make it a condition.
@@ -46,6 +54,10 @@ const SUPPOSED: [&str; 14] = [
     "for small",
     "limit",
 ];
+
+/// Words that say that quantities are small, in some languages.
+const SMALL: [&str; 12] =
+    ["small", "klein", "petit", "peque", "piccol", "mały", "małe", "ma\\l", "linear", "linéar", "first order", "\\ll"];
 
 /// All lines of a hand-in, in their order.
 pub(super) fn written(notes: &Notes, macros: &Macros) -> Vec<Written> {
@@ -94,6 +106,11 @@ pub(super) fn written(notes: &Notes, macros: &Macros) -> Vec<Written> {
                 continues: (statement.from.is_some() && start < found.len()).then_some(start),
                 inline: display.is_none(),
                 is_supposed: is_supposed(text, display.map_or(body.start, |display| display.span.start)),
+                is_alternative: found.last().is_some_and(|before: &Written| {
+                    text.get(before.span.end..span.start).is_some_and(foreign::says_or)
+                }),
+                is_near: SMALL.iter().any(|word| text[..span.start].to_lowercase().contains(word)),
+                edits: Vec::new(),
             });
         }
     }

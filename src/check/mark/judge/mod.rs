@@ -2,20 +2,19 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Statement, SymbolId};
-use crate::latex::Reading;
+use crate::formula::{Expr, Statement, SymbolId};
+use crate::latex::{Reading, names};
 use crate::notes::claims::{Claim, Lost, Spanned};
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::setup::Run;
-use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-use super::carried::{Before, origin};
+use super::carried::{Before, energies, origin};
 use super::given::{self, Implied};
 use super::judged::Judged;
 use super::marked::{Line, Mark};
@@ -23,8 +22,12 @@ use super::motion::{Along, Motion};
 use super::results;
 use super::rounded::Known;
 use super::slip;
+use super::special::{self, AT_SPEED};
 use super::status::{Status, approximate, composed, stated, status};
 use super::world::World;
+use super::written::instants::Instant;
+
+mod cases;
 
 /// Judges the lines of a hand-in; with `details`, with the slips in wrong lines.
 ///
@@ -34,15 +37,22 @@ pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<J
     world.checked(run, |checker| {
         let quiet =
             Checker { options: Options { explain: false, ..checker.options }, units: checker.units.clone(), ..checker };
+        let motion = Motion::of(&checker, world);
+        let named = |instant: &Instant| {
+            let id = checker.model.symbols.find(&names::parse(&instant.name)?.0)?.0;
+            Some((id, motion.value(&checker, instant)))
+        };
+        let instants = world.instants.iter().filter_map(named).collect();
         let mut judge = Judge {
             world,
+            instants,
             run,
             checker: &checker,
             implied: Vec::new(),
             wanted: results::names(&checker, world.problem),
             quiet: &quiet,
             details,
-            motion: Motion::of(&checker, world),
+            motion,
             trusted: checker.readings.to_vec(),
             premises: checker.readings.to_vec(),
             conditions: Vec::new(),
@@ -80,6 +90,8 @@ struct Judge<'j, 'c> {
     /// Whether a false line is compared with those before it; without that, numbers alone decide what holds.
     details: bool,
     motion: Motion,
+    /// The names of values at instants, and the values that are known.
+    instants: Vec<(SymbolId, Option<Expr>)>,
     /// The readings without those of lines that are false: what another line is judged by.
     trusted: Vec<Reading>,
     /// The readings, in which a row of a chain says what it says of the first member.
@@ -111,7 +123,7 @@ impl Judge<'_, '_> {
             result: None,
             credit: None,
         };
-        let read = self.quiet.readings[display].clone();
+        let read = self.at_instants(self.quiet.readings[display].clone());
         let reading = self.implied.iter().fold(read, |reading, implied| implied.applied(reading));
         self.premises[display] = reading.clone();
         let before = written.continues.map(|_| at - 1);
@@ -140,6 +152,10 @@ impl Judge<'_, '_> {
         match status {
             Status::Holds(verdict) => {
                 self.known.add(&reading, false);
+                if let Some(speed) = under.strip_prefix(AT_SPEED).and_then(names::parse) {
+                    let special = &self.world.problem.special;
+                    self.premises[display] = special.at_speed(self.quiet, reading.clone(), &speed.0);
+                }
                 line.verdict = Some(verdict);
                 if line.because.is_empty() {
                     line.because = under;
@@ -192,6 +208,12 @@ impl Judge<'_, '_> {
             self.known.add(reading, true);
             return Ok(());
         }
+        if self.has_unknown_instant(reading) {
+            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
+            line.because = "a value at an instant, which the problem leaves open".to_owned();
+            self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
+            return Ok(());
+        }
         if let Some(implied) = Implied::by(self.quiet, &self.world.declared, reading)
             && self.gives(display, reading, &implied)
             && !(self.details && self.is_slip(at)?)
@@ -205,6 +227,33 @@ impl Judge<'_, '_> {
             self.known.add(reading, false);
             (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
             line.because = "right to the printed digits, with the numbers of the student".to_owned();
+            return Ok(());
+        }
+        if let Some(name) = self.follows_under_a_condition(reading) {
+            (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
+            line.because = format!("follows under the condition of {name}");
+            return Ok(());
+        }
+        let later: Vec<SymbolId> = self.quiet.readings[display + 1..]
+            .iter()
+            .flat_map(|reading| reading.introduced.iter().map(|new| new.symbol))
+            .collect();
+        if self.motion.is_general(self.quiet, (display, reading), &later) {
+            (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
+            line.because = "solves the equations of motion, with constants that a later line gives".to_owned();
+            return Ok(());
+        }
+        let text = &self.world.display(at).text;
+        if self.world.problem.special.is_rest(self.quiet, display, (text, reading)) {
+            (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
+            line.because = "says where the problem can be at rest".to_owned();
+            return Ok(());
+        }
+        let is_alternative =
+            written.is_alternative || self.world.written.get(at + 1).is_some_and(|next| next.is_alternative);
+        if is_alternative && self.is_an_alternative(at) {
+            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
+            line.because = "one of the cases that a line before it leaves".to_owned();
             return Ok(());
         }
         if self.is_a_case(display, reading) {
@@ -232,20 +281,43 @@ impl Judge<'_, '_> {
         let wrong = displays(&|line| matches!(line.mark, Mark::Wrong | Mark::Carried));
         let sound = displays(&|line| line.mark == Mark::Right || line.verdict == Some(Verdict::Law));
         let laws = &self.world.problem.laws;
-        let before = Before { all: &all, wrong: &wrong, sound: &sound, laws, motion: &self.motion };
+        let before = Before {
+            all: &all,
+            wrong: &wrong,
+            sound: &sound,
+            laws,
+            motion: &self.motion,
+            special: &self.world.problem.special,
+        };
         let checker = Checker { readings: &self.premises, units: self.quiet.units.clone(), ..*self.quiet };
         let from = if wrong.is_empty() || !self.details {
             None
         } else {
             origin(&checker, (display, reading), &before).unwrap_or(None)
         };
+        if let Some(start) = self.starts_as_a_false_line(display, reading).filter(|_| from.is_none()) {
+            (line.mark, line.follows_from) = (Mark::Carried, Some(start));
+            line.because = carried(&self.lines, start);
+            return Ok(());
+        }
+        let own: Vec<usize> = displays(&|line| line.verdict == Some(Verdict::Definition));
+        let energy = if self.details { energies::false_energy(self.quiet, (display, reading), &own) } else { None };
+        if let Some(energy) = energy.filter(|_| from.is_none()) {
+            let energy = energy - self.world.first;
+            let false_one = &mut self.lines[energy];
+            (false_one.mark, false_one.verdict) = (Mark::Wrong, Some(Verdict::Refuted));
+            "with it the Lagrangian is not that of the problem".clone_into(&mut false_one.because);
+            (line.mark, line.follows_from) = (Mark::Carried, Some(energy));
+            line.because = carried(&self.lines, energy);
+            return Ok(());
+        }
         match from {
             Some(from) => {
                 let from = from - self.world.first;
                 (line.mark, line.follows_from) = (Mark::Carried, Some(from));
                 line.because = carried(&self.lines, from);
             }
-            None if self.details && self.leaves_open(at, reading)? => {
+            None if self.details && !self.ends_are_false(display, reading) && self.leaves_open(at, reading)? => {
                 (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
                 line.because = format!("uses {}, which is defined nowhere", self.unknown(reading).join(", "));
             }
@@ -258,20 +330,6 @@ impl Judge<'_, '_> {
             }
         }
         Ok(())
-    }
-
-    /// Whether the last condition holds where a line holds, so that the line is one of the cases that it leaves.
-    fn is_a_case(&self, display: usize, reading: &Reading) -> bool {
-        let Some((condition, _)) = self.conditions.last() else { return false };
-        let is_equation = reading.statements.iter().flatten().all(|statement| {
-            statement.members.len() == 2 && statement.relations.iter().all(|(relation, _)| is_equality(*relation))
-        });
-        let none = Claim::default();
-        let text = &self.world.display(display - self.world.first).text;
-        let condition = self.quiet.as_printed(condition, &none, &self.quiet.model.macros);
-        let assume = vec![Spanned::new(text.clone(), Span::default())];
-        let with = Claim { assume, ..Claim::default() };
-        is_equation && matches!(status(self.quiet, display, &condition, &with), Status::Holds(_))
     }
 
     /// Whether a line says no more than what a quantity of the student's own is.
@@ -287,6 +345,16 @@ impl Judge<'_, '_> {
         let is_mistyped = |edit: &slip::Corrected| edit.slip.lost == Lost::Symbol;
         let is_open = !self.unknown(reading).is_empty();
         Ok(is_open && !slip::found(self.run, self.checker, self.world, at)?.0.as_ref().is_some_and(is_mistyped))
+    }
+
+    /// Whether the first member of a chain is not the last one, whatever stands between them.
+    fn ends_are_false(&self, display: usize, reading: &Reading) -> bool {
+        let [Ok(statement)] = reading.statements.as_slice() else { return false };
+        if statement.members.len() < 3 {
+            return false;
+        }
+        let Some(ends) = composed(reading, reading) else { return false };
+        self.unknown(&ends).is_empty() && matches!(self.status(display, &ends).0, Status::False(_))
     }
 
     /// The quantities of the student's own in a line of which no line says what they are.
@@ -331,11 +399,22 @@ impl Judge<'_, '_> {
             return (Status::Holds(Verdict::Verified), String::new());
         }
         for context in &self.world.problem.contexts {
+            if special::is_degenerate(&checker, context, reading) {
+                continue;
+            }
             let loose = (!context.small.is_empty() || context.limit.is_some()).then(|| approximate(reading));
             let found = status(&checker, display, loose.as_ref().unwrap_or(reading), context);
             if matches!(found, Status::Holds(_)) || self.along(&checker, display, reading, context) == Along::True {
                 return (Status::Holds(Verdict::Verified), "follows from the problem, with its hypotheses".to_owned());
             }
+        }
+        let special = &self.world.problem.special;
+        if let Some(speed) = special.speed(&checker, display, reading) {
+            return (Status::Holds(Verdict::Verified), format!("{AT_SPEED}{speed}"));
+        }
+        let is_near = self.world.written[display - self.world.first].is_near;
+        if special.is_linearized(&checker, display, reading, is_near) {
+            return (Status::Holds(Verdict::Verified), "follows for small motion".to_owned());
         }
         if let Some((text, name)) = self.conditions.last() {
             let span = Span::default();
@@ -346,7 +425,9 @@ impl Judge<'_, '_> {
             for assume in [Some(all), last].into_iter().flatten() {
                 let claim = Claim { assume, ..Claim::default() };
                 let found = status(&checker, display, reading, &claim);
-                if let Status::Holds(_) = found {
+                let is_along = || self.along(&checker, display, reading, &claim) == Along::True;
+                if matches!(found, Status::Holds(_)) || is_along() {
+                    let found = Status::Holds(Verdict::Verified);
                     return (found, format!("follows under the condition of {name}"));
                 }
             }

@@ -1,0 +1,161 @@
+//! What a false line says in other words, so that a step from it is found: inserted into a true line, at a place of rest, for
+//! small motion, at an instant, or by the equation of Euler and Lagrange.
+
+use crate::formula::derivative::{Scope, partial};
+use crate::formula::symbols::Name;
+use crate::formula::tree::Variable;
+use crate::formula::{Expr, Node, Statement, SymbolId};
+use crate::latex::Reading;
+use crate::notes::claims::Claim;
+
+use crate::check::document::checker::Checker;
+use crate::check::mark::given::solved_for;
+use crate::check::model::meaning::Meaning;
+
+/// The most constants of a line that are tried as the value of a coordinate at an instant.
+const TRIED: usize = 4;
+
+/// The readings that say what a false line says when it is inserted into others: `\dot\omega = g/R` in `I \dot\omega = S R`.
+pub(super) fn insertions(checker: &Checker<'_>, wrong: &Reading, others: &[usize]) -> Vec<Reading> {
+    let [Ok(statement)] = wrong.statements.as_slice() else { return Vec::new() };
+    let (Some(first), Some(value)) = (statement.members.first(), statement.members.last()) else { return Vec::new() };
+    let Node::Symbol { id, dots, indices } = &first.node else { return Vec::new() };
+    if !indices.is_empty() || value.symbols().iter().any(|(other, _)| other == id) || statement.members.len() < 2 {
+        return Vec::new();
+    }
+    let has = |reading: &&Reading| symbols(reading).contains(&(*id, *dots));
+    let with = |reading: &Reading| {
+        replaced(reading, &|node| match node {
+            Node::Symbol { id: found, dots: order, .. } if found == id && order == dots => Some(value.clone()),
+            _ => None,
+        })
+    };
+    others.iter().map(|at| &checker.readings[*at]).filter(has).map(with).collect()
+}
+
+/// The equation of motion that follows from a false slope of the Lagrangian: `\frac{\partial L}{\partial\theta} = …`.
+pub(super) fn motion_by_a_slope(checker: &Checker<'_>, from: usize) -> Option<Reading> {
+    let text = &checker.notes.equations[from].text;
+    let rest = text.trim_start().strip_prefix("\\frac{\\partial")?;
+    let (of, rest) = rest.split_once("}{\\partial")?;
+    let (by, rest) = rest.split_once('}')?;
+    let value = rest.trim_start().strip_prefix('=')?.rsplit('=').next()?;
+    let is_name = |text: &str| text.len() < 40 && !text.contains(['=', '{', '}']);
+    if !is_name(of) || !is_name(by) || by.contains("\\dot") {
+        return None;
+    }
+    let text = format!("\\frac{{d}}{{dt}}\\frac{{\\partial {of}}}{{\\partial\\dot{{{}}}}} = {value}", by.trim());
+    let reading = checker.as_printed(&text, &Claim::default(), &checker.model.macros);
+    reading.statements.iter().all(Result::is_ok).then_some(reading)
+}
+
+/// A false line where the coordinates are at a place of rest: `(\theta, \theta_0)` for each that has a name.
+pub(super) fn at_rest(checker: &Checker<'_>, wrong: &Reading, places: &[(Name, Name)]) -> Option<Reading> {
+    let find = |name: &Name| Some(checker.model.symbols.find(name)?.0);
+    let places: Vec<(SymbolId, SymbolId)> = places.iter().filter_map(|(a, b)| Some((find(a)?, find(b)?))).collect();
+    let is_moving =
+        |id: SymbolId| matches!(checker.model.meaning(id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
+    let has_rate = symbols(wrong).iter().any(|(id, dots)| *dots == 2 && places.iter().any(|(of, _)| of == id));
+    has_rate.then(|| {
+        replaced(wrong, &|node| match node {
+            Node::Symbol { id, dots, .. } if *dots > 0 && is_moving(*id) => Some(Expr::integer(0, Default::default())),
+            Node::Symbol { id, dots: 0, indices } => {
+                let (_, place) = places.iter().find(|(of, _)| of == id)?;
+                Some(Expr::new(Node::Symbol { id: *place, indices: indices.clone(), dots: 0 }, Default::default()))
+            }
+            _ => None,
+        })
+    })
+}
+
+/// A line with the acceleration that a false line gives in the place of that acceleration.
+pub(super) fn accelerated(checker: &Checker<'_>, wrong: &Reading, own: &Reading) -> Option<Reading> {
+    let [Ok(statement)] = wrong.statements.as_slice() else { return None };
+    let [first, .., last] = statement.members.as_slice() else { return None };
+    let is_shared = |rate: &&(SymbolId, u8)| rate.1 == 2 && symbols(own).contains(rate);
+    let (id, dots) = *symbols(wrong).iter().find(is_shared)?;
+    let value = solved_for(checker, &first.clone().minus(last.clone()), (id, dots))?;
+    Some(replaced(own, &|node| match node {
+        Node::Symbol { id: found, dots: order, .. } if *found == id && *order == dots => Some(value.clone()),
+        _ => None,
+    }))
+}
+
+/// A line with the frequency that a false linear equation of motion has in the place of a frequency of the problem:
+/// −q̈/q for its square.
+pub(super) fn with_frequency(
+    checker: &Checker<'_>,
+    wrong: &Reading,
+    own: &Reading,
+    frequency: SymbolId,
+) -> Option<Reading> {
+    let [Ok(statement)] = wrong.statements.as_slice() else { return None };
+    let [first, .., last] = statement.members.as_slice() else { return None };
+    let (id, dots) = *symbols(wrong).iter().find(|(_, dots)| *dots == 2)?;
+    let value = solved_for(checker, &first.clone().minus(last.clone()), (id, dots))?;
+    let span = value.span;
+    let place = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, span);
+    let square = Expr::new(Node::Quotient(Box::new(value.negated()), Box::new(place)), span);
+    let is_frequency = |expr: &Expr| expr.as_plain_symbol() == Some(frequency);
+    Some(replaced(own, &|node| match node {
+        Node::Power(base, power) if is_frequency(base) && matches!(&power.node, Node::Number(two) if two == "2") => {
+            Some(square.clone())
+        }
+        Node::Symbol { id, dots: 0, .. } if *id == frequency => {
+            Some(Expr::new(Node::Root(2, Box::new(square.clone())), span))
+        }
+        _ => None,
+    }))
+}
+
+/// What a false function of the time says at an instant, for the constants of a line: `y = \frac14 g t^2` says
+/// `h = \frac14 g t_1^2`, and its rate `v_1 = \frac12 g t_1`.
+pub(super) fn at_instants(checker: &Checker<'_>, wrong: &Reading, own: &Reading) -> Vec<Reading> {
+    let [Ok(statement)] = wrong.statements.as_slice() else { return Vec::new() };
+    let [first, .., formula] = statement.members.as_slice() else { return Vec::new() };
+    let Node::Symbol { id, dots, .. } = &first.node else { return Vec::new() };
+    let model = checker.model;
+    let is_time = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::Time));
+    let Some(time) = model.symbols.iter().map(|(id, _)| id).find(is_time) else { return Vec::new() };
+    let moves = matches!(model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
+    if !moves || *dots > 1 || !formula.symbols().contains(&(time, 0)) {
+        return Vec::new();
+    }
+    let by = Variable { id: time, indices: Vec::new(), dots: 0 };
+    let rate = partial(formula, &by, Scope { symbols: &model.symbols, fixed: &[] }, formula.span).ok();
+    let fixed = |(id, dots): &(SymbolId, u8)| *dots == 0 && !is_time(id);
+    let names: Vec<SymbolId> = symbols(own).into_iter().filter(fixed).map(|(id, _)| id).collect();
+    let letter = |id: SymbolId| model.symbols.entry(id).name.base.as_str();
+    let is_instant = |id: &&SymbolId| ["t", "T", "\\tau"].contains(&letter(**id));
+    let is_value = |id: &&SymbolId| !is_instant(id) && !formula.symbols().iter().any(|(other, _)| other == *id);
+    let mut found = Vec::new();
+    for when in names.iter().filter(is_instant).take(TRIED) {
+        for value in names.iter().filter(is_value).take(TRIED) {
+            let is_speed = ["v", "u", "w", "V", "\\omega"].contains(&letter(*value));
+            let Some(formula) = (if is_speed && *dots == 0 { rate.as_ref() } else { Some(formula) }) else { continue };
+            let symbol = |id| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, formula.span);
+            let members = vec![symbol(*value), crate::formula::calculus::places::at(formula, time, &symbol(*when))];
+            let relations = statement.relations[..1].to_vec();
+            let statement = Statement { members, relations, ..statement.clone() };
+            found.push(Reading { statements: vec![Ok(statement)], introduced: Vec::new() });
+        }
+    }
+    found
+}
+
+/// The symbols of a reading with their dots, each once.
+pub(super) fn symbols(reading: &Reading) -> Vec<(SymbolId, u8)> {
+    let members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+    let mut all: Vec<(SymbolId, u8)> = members.flat_map(Expr::symbols).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+fn replaced(reading: &Reading, other: &impl Fn(&Node) -> Option<Expr>) -> Reading {
+    let mut reading = reading.clone();
+    for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+        member.substitute(other);
+    }
+    reading
+}

@@ -1,0 +1,112 @@
+//! A false Lagrangian that is T − U with energies of the student's own: then one of these is false.
+
+use crate::formula::symbols::Name;
+use crate::formula::{Expr, Node, Relation, SymbolId};
+use crate::latex::Reading;
+use crate::latex::slips::{self, Pool};
+use crate::notes::claims::Claim;
+use crate::source::Span;
+
+use crate::check::document::checker::Checker;
+use crate::check::mark::slip::fits;
+use crate::check::mark::status::{Status, status};
+use crate::check::model::meaning::Meaning;
+
+/// Letters for kinetic and for potential energies.
+const KINETIC: [&str; 3] = ["T", "K", "\\mathcal{T}"];
+const POTENTIAL: [&str; 5] = ["U", "V", "W", "\\mathcal{V}", "\\Phi"];
+
+/// The display of the energy that makes a Lagrangian false: of those in `own`, each a display that defines a name. `at` is the
+/// display with the Lagrangian.
+pub(in crate::check::mark) fn false_energy(
+    checker: &Checker<'_>,
+    (at, reading): (usize, &Reading),
+    own: &[usize],
+) -> Option<usize> {
+    let printed = checker.model.printed_lagrangian.as_ref()?;
+    let (lagrangian, _) = checker.model.symbols.find(&printed.lagrangian)?;
+    let [Ok(statement)] = reading.statements.as_slice() else { return None };
+    let is_it = statement.members.first()?.as_plain_symbol() == Some(lagrangian);
+    let last = statement.members.last().filter(|_| is_it)?;
+    let defined = |letters: &[&str], others: &[&str]| {
+        let found = |at: &usize| {
+            let [new] = checker.readings[*at].introduced.as_slice() else { return None };
+            let is_it = is_energy(&checker.model.symbols.entry(new.symbol).name, letters, others);
+            (is_it && matches!(checker.model.meaning(new.symbol), Some(Meaning::Defined(_))))
+                .then_some((*at, new.symbol))
+        };
+        own.iter().filter_map(found).last()
+    };
+    let kinetic = defined(&KINETIC, &["k", "c", "kin", "cin"])?;
+    let potential = defined(&POTENTIAL, &["p", "pot"])?;
+    let difference = symbol(kinetic.1).minus(symbol(potential.1));
+    let same = checker.link(&difference, Relation::Equal, last).ok()?;
+    if !holds(checker, at, &same.lhs, &same.rhs) || holds(checker, at, &difference, &symbol(lagrangian)) {
+        return None;
+    }
+    // The energy that one edit corrects; else the kinetic one, if what it leaves of the Lagrangian has velocities.
+    let wanted = |own: SymbolId| match own == kinetic.1 {
+        true => symbol(lagrangian).minus(symbol(potential.1).negated()),
+        false => symbol(kinetic.1).minus(symbol(lagrangian)),
+    };
+    let is_corrected = |(display, id): (usize, SymbolId)| {
+        let text = &checker.notes.equations[display].text;
+        let Some((name, formula)) = text.split_once('=') else { return false };
+        let model = checker.model;
+        let edits = slips::corrections(formula, &model.symbols, &model.macros, &Pool::default());
+        edits.iter().any(|edit| {
+            let new =
+                checker.as_printed(&format!("{name}={}", edit.applied(formula)), &Claim::default(), &model.macros);
+            let value = match new.statements.as_slice() {
+                [Ok(statement)] if statement.members.len() == 2 => statement.members[1].clone(),
+                _ => return false,
+            };
+            let said = stating(&new, vec![value, wanted(id)]);
+            fits(checker, &said)
+        })
+    };
+    if let Some((display, _)) = [kinetic, potential].into_iter().find(|energy| is_corrected(*energy)) {
+        return Some(display);
+    }
+    let mut left = wanted(potential.1);
+    let velocities: Vec<SymbolId> = checker.model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
+    left.substitute(&|node| match node {
+        Node::Symbol { id, dots: 0, .. } => match checker.model.meaning(*id) {
+            Some(Meaning::Defined(formula)) => Some((**formula).clone()),
+            _ => None,
+        },
+        _ => None,
+    });
+    let mut at_rest = left.clone();
+    at_rest.substitute(&|node| match node {
+        Node::Symbol { id, dots, .. } if *dots > 0 && velocities.contains(id) => {
+            Some(Expr::integer(0, Span::default()))
+        }
+        _ => None,
+    });
+    Some(if holds(checker, at, &left, &at_rest) { potential.0 } else { kinetic.0 })
+}
+
+fn is_energy(name: &Name, letters: &[&str], subscripts: &[&str]) -> bool {
+    let sub = name.to_string();
+    let sub = sub.split_once('_').map_or("", |(_, sub)| sub).trim_matches(['{', '}']);
+    let sub = ["\\mathrm{", "\\text{"].iter().find_map(|style| sub.strip_prefix(*style)).unwrap_or(sub);
+    letters.contains(&name.base.as_str()) && sub.is_empty() || name.base == "E" && subscripts.contains(&sub)
+}
+
+fn symbol(id: SymbolId) -> Expr {
+    Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default())
+}
+
+fn stating(like: &Reading, members: Vec<Expr>) -> Reading {
+    let statements = like.statements.iter().flatten().take(1).map(|statement| {
+        let relations = vec![(Relation::Equal, Span::default())];
+        Ok(crate::formula::Statement { members: members.clone(), relations, ..statement.clone() })
+    });
+    Reading { statements: statements.collect(), introduced: Vec::new() }
+}
+
+fn holds(checker: &Checker<'_>, at: usize, left: &Expr, right: &Expr) -> bool {
+    let said = stating(&checker.readings[at], vec![left.clone(), right.clone()]);
+    matches!(status(checker, at, &said, &Claim::default()), Status::Holds(_))
+}

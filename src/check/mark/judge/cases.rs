@@ -1,0 +1,114 @@
+//! Cases that a condition leaves, conclusions under a condition, and values at instants.
+
+use crate::formula::{Expr, Node, SymbolId};
+use crate::latex::Reading;
+use crate::notes::claims::{Claim, Spanned};
+use crate::source::Span;
+
+use crate::check::mark::carried::numbers;
+use crate::check::mark::marked::{Line, Mark};
+use crate::check::mark::status::{Status, stated, status};
+use crate::check::model::claim::is_equality;
+use crate::check::verdict::Verdict;
+
+use super::Judge;
+
+/// The lines before an alternative of which it may be a case.
+const CASES: usize = 3;
+
+impl Judge<'_, '_> {
+    /// Whether the last condition holds where a line holds, so that the line is one of the cases that it leaves.
+    pub(super) fn is_a_case(&self, display: usize, reading: &Reading) -> bool {
+        let Some((condition, _)) = self.conditions.last() else { return false };
+        let is_equation = reading.statements.iter().flatten().all(|statement| {
+            statement.members.len() == 2 && statement.relations.iter().all(|(relation, _)| is_equality(*relation))
+        });
+        let none = Claim::default();
+        let text = &self.world.display(display - self.world.first).text;
+        let condition = self.quiet.as_printed(condition, &none, &self.quiet.model.macros);
+        let assume = vec![Spanned::new(text.clone(), Span::default())];
+        let with = Claim { assume, ..Claim::default() };
+        is_equation && matches!(status(self.quiet, display, &condition, &with), Status::Holds(_))
+    }
+
+    /// Whether a line that holds under a condition, among those nearest before an alternative, holds where the alternative does.
+    pub(super) fn is_an_alternative(&self, at: usize) -> bool {
+        let text = &self.world.display(at).text;
+        let members: Vec<&str> = text.split('=').collect();
+        let [first, second, ..] = members.as_slice() else { return false };
+        let display = self.world.first + at;
+        let none = Claim::default();
+        let macros = &self.quiet.model.macros;
+        let rest = (members.len() > 2).then(|| self.quiet.as_printed(&members[1..].join("="), &none, macros));
+        let claim =
+            Claim { assume: vec![Spanned::new(format!("{first} = {second}"), Span::default())], ..Claim::default() };
+        let holds = |reading: &Reading| matches!(status(self.quiet, display, reading, &claim), Status::Holds(_));
+        let is_open = |line: &Line| matches!(line.mark, Mark::Right | Mark::Given) && !line.inline;
+        let before = (at.saturating_sub(CASES)..at).rev().filter(|before| is_open(&self.lines[*before]));
+        rest.is_none_or(|rest| matches!(self.status(display, &rest).0, Status::Holds(_)))
+            && before.into_iter().any(|before| {
+                let own = &self.premises[self.world.first + before];
+                let holds_anyway = || matches!(status(self.quiet, display, own, &none), Status::Holds(_));
+                stated(own).is_none() && !holds_anyway() && holds(own)
+            })
+    }
+
+    /// A reading with the values at instants that are known.
+    pub(super) fn at_instants(&self, mut reading: Reading) -> Reading {
+        let value = |node: &Node| match node {
+            Node::Symbol { id, dots: 0, .. } => self.instants.iter().find(|(known, _)| known == id)?.1.clone(),
+            _ => None,
+        };
+        for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+            member.substitute(&value);
+        }
+        reading
+    }
+
+    /// Whether a reading has a value at an instant that is not known.
+    pub(super) fn has_unknown_instant(&self, reading: &Reading) -> bool {
+        let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        let is_unknown = |id: SymbolId| self.instants.iter().any(|(known, value)| *known == id && value.is_none());
+        members().any(|member| member.symbols().iter().any(|(id, _)| is_unknown(*id)))
+    }
+
+    /// The name of the last condition, if a line follows from it and from a true line before it.
+    pub(super) fn follows_under_a_condition(&self, reading: &Reading) -> Option<&str> {
+        let (text, name) = self.conditions.last().filter(|_| self.details)?;
+        let condition = self.quiet.as_printed(text, &Claim::default(), &self.quiet.model.macros);
+        let is_sound = |line: &Line| line.mark == Mark::Right || line.verdict == Some(Verdict::Law);
+        let sound: Vec<usize> =
+            (0..self.lines.len()).filter(|at| is_sound(&self.lines[*at])).map(|at| self.world.first + at).collect();
+        numbers::follows_under(self.quiet, &condition, &sound, reading).then_some(name)
+    }
+
+    /// The false line with an initial value that a solution of the laws has: the solution is that for this value.
+    pub(super) fn starts_as_a_false_line(&self, display: usize, reading: &Reading) -> Option<usize> {
+        let motion = self.motion.with(self.quiet, reading).filter(|_| self.details)?;
+        if !matches!(status(self.quiet, display, reading, &Claim::default()), Status::Holds(_)) {
+            return None;
+        }
+        let values: Vec<(SymbolId, Expr)> = self
+            .world
+            .instants
+            .iter()
+            .zip(&self.instants)
+            .filter_map(|(instant, (id, _))| Some((*id, motion.value(self.quiet, instant)?)))
+            .collect();
+        let starts_so = |at: &usize| {
+            let mut start = self.quiet.readings[self.world.first + at].clone();
+            let mut is_there = false;
+            for member in start.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+                is_there |= member.symbols().iter().any(|(id, _)| values.iter().any(|(known, _)| known == id));
+                member.substitute(&|node| match node {
+                    Node::Symbol { id, .. } => {
+                        values.iter().find(|(known, _)| known == id).map(|(_, value)| value.clone())
+                    }
+                    _ => None,
+                });
+            }
+            is_there && matches!(status(self.quiet, display, &start, &Claim::default()), Status::Holds(_))
+        };
+        (0..self.lines.len()).rev().filter(|at| self.lines[*at].mark == Mark::Wrong).find(starts_so)
+    }
+}

@@ -1,0 +1,181 @@
+//! What a line may speak of without saying so: the instant at which a speed of the problem is reached, a place of rest, and
+//! small motion about rest.
+
+use std::collections::HashMap;
+
+use crate::formula::symbols::Name;
+use crate::formula::{Expr, Node, Relation, SymbolId};
+use crate::latex::rename::renamed;
+use crate::latex::{Reading, names};
+use crate::notes::claims::{Claim, Claims, Spanned};
+use crate::source::Span;
+
+use crate::check::document::checker::Checker;
+use crate::check::model::meaning::Meaning;
+
+use super::status::{Status, approximate, status};
+
+/// Why a line holds that holds at the instant of a speed; the speed comes after it.
+pub(super) const AT_SPEED: &str = "follows where the speed is ";
+
+/// The special states of a problem.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Special {
+    /// What moves.
+    moving: Vec<Name>,
+    /// Constant speeds, where one length moves: `v_1`, the value of `\dot y` at some instant.
+    speeds: Vec<Name>,
+    /// Places of rest that have a name, each with the coordinate.
+    places: Vec<(Name, Name)>,
+    /// Whether the problem asks for small oscillations.
+    has_modes: bool,
+}
+
+impl Special {
+    /// Those of a problem.
+    pub fn of(checker: &Checker<'_>, claims: &Claims) -> Special {
+        let model = checker.model;
+        let is_moving = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
+        let moving: Vec<SymbolId> = model.symbols.iter().map(|(id, _)| id).filter(|id| is_moving(*id)).collect();
+        let is_speed = |id: &SymbolId| {
+            let is_named = ["v", "u", "w", "V"].contains(&model.symbols.entry(*id).name.base.as_str());
+            let formula = match model.meaning(*id) {
+                Some(Meaning::Defined(formula)) => formula,
+                _ => return false,
+            };
+            is_named && !model.depends_on(formula, &moving) && !model.contains_time(formula)
+        };
+        let is_length = matches!(moving.as_slice(), [only] if !model.symbols.entry(*only).angle);
+        let speeds = model.symbols.iter().map(|(id, _)| id).filter(|id| is_length && is_speed(id));
+        let name = |id: SymbolId| model.symbols.entry(id).name.clone();
+        let at =
+            claims.equations.iter().filter(|(_, claim)| claim.equilibrium.is_some()).flat_map(|(_, claim)| &claim.at);
+        let parsed = |text: &Spanned<String>| Some(names::parse(&text.value)?.0);
+        Special {
+            speeds: speeds.map(name).collect(),
+            moving: moving.into_iter().map(name).collect(),
+            places: at.filter_map(|(of, place)| Some((parsed(of)?, parsed(place)?))).collect(),
+            has_modes: claims.means.iter().any(|(_, meaning)| meaning.value == "normal frequency"),
+        }
+    }
+
+    /// The speed at whose instant a line holds.
+    pub fn speed(&self, checker: &Checker<'_>, display: usize, reading: &Reading) -> Option<&Name> {
+        let [moving] = self.moving.as_slice() else { return None };
+        let (id, _) = checker.model.symbols.find(moving)?;
+        let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        if !members().any(|member| checker.model.depends_on(member, &[id])) {
+            return None;
+        }
+        self.speeds.iter().find(|speed| {
+            let claim = Claim { assume: vec![said(format!("\\dot{{{moving}}} = {speed}"))], ..Claim::default() };
+            matches!(status(checker, display, reading, &claim), Status::Holds(_))
+        })
+    }
+
+    /// A reading in which the velocity is a speed of the problem.
+    pub fn at_speed(&self, checker: &Checker<'_>, mut reading: Reading, speed: &Name) -> Reading {
+        let find = |name: &Name| Some(checker.model.symbols.find(name)?.0);
+        let (Some(speed), Some(moving)) = (find(speed), self.moving.first().and_then(find)) else { return reading };
+        for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+            let span = member.span;
+            member.substitute(&|node| match node {
+                Node::Symbol { id, dots: 1, .. } if *id == moving => {
+                    Some(Expr::new(Node::Symbol { id: speed, indices: Vec::new(), dots: 0 }, span))
+                }
+                _ => None,
+            });
+        }
+        reading
+    }
+
+    /// Places of rest that have a name, each with the coordinate.
+    pub fn places(&self) -> &[(Name, Name)] {
+        &self.places
+    }
+
+    /// Whether a line says in linear terms what holds for small motion. `is_said` if the text speaks of it.
+    pub fn is_linearized(&self, checker: &Checker<'_>, display: usize, reading: &Reading, is_said: bool) -> bool {
+        (self.has_modes || is_said)
+            && self.is_linear(checker, reading)
+            && self.holds_when_small(checker, display, reading)
+    }
+
+    /// Whether a line has an acceleration or ≈, and what moves in no function.
+    pub fn is_linear(&self, checker: &Checker<'_>, reading: &Reading) -> bool {
+        let find = |name: &Name| Some(checker.model.symbols.find(name)?.0);
+        let moving: Vec<SymbolId> = self.moving.iter().filter_map(find).collect();
+        let statements = || reading.statements.iter().flatten();
+        let members = || statements().flat_map(|statement| &statement.members);
+        let has_acceleration =
+            |member: &Expr| member.symbols().iter().any(|(id, dots)| moving.contains(id) && *dots == 2);
+        let mut is_linear = true;
+        members().for_each(|member| {
+            member.walk(&mut |part| {
+                if let Node::Call(_, inner) = &part.node {
+                    is_linear &= !checker.model.depends_on(inner, &moving);
+                }
+            });
+        });
+        let is_near = |relation: &(Relation, Span)| relation.0 == Relation::Approximately;
+        is_linear && (members().any(has_acceleration) || statements().any(|s| s.relations.iter().any(is_near)))
+    }
+
+    /// Whether a line holds to first order in all that moves.
+    pub fn holds_when_small(&self, checker: &Checker<'_>, display: usize, reading: &Reading) -> bool {
+        let small: Vec<Spanned<String>> = self.moving.iter().map(|name| said(name.to_string())).collect();
+        let claim = Claim { small, order: Some(Spanned::new(1, Span::default())), ..Claim::default() };
+        !self.moving.is_empty() && matches!(status(checker, display, &approximate(reading), &claim), Status::Holds(_))
+    }
+
+    /// Whether a line says where a coordinate is at rest, in numbers: `\sin\theta_0 = 0`, beside the place that the problem
+    /// asks for. `text` is the line.
+    pub fn is_rest(&self, checker: &Checker<'_>, display: usize, (text, reading): (&str, &Reading)) -> bool {
+        let [Ok(statement)] = reading.statements.as_slice() else { return false };
+        let symbols: Vec<(SymbolId, u8)> = statement.members.iter().flat_map(Expr::symbols).collect();
+        let name = |id: SymbolId| &checker.model.symbols.entry(id).name;
+        let place = |(of, place): &(Name, Name)| {
+            symbols
+                .iter()
+                .all(|(id, dots)| *dots == 0 && (name(*id) == place || name(*id) == of))
+                .then(|| (of.clone(), place.clone()))
+        };
+        let Some((of, place)) = self.places.iter().find_map(place).filter(|_| !symbols.is_empty()) else {
+            return false;
+        };
+        let macros = &checker.model.macros;
+        let there = renamed(text, macros, &HashMap::from([(place, of)])).text;
+        let rests = self.moving.iter().map(|name| said(format!("\\dot{{{name}}} = 0")));
+        let claim = Claim { assume: std::iter::once(said(there)).chain(rests).collect(), ..Claim::default() };
+        self.moving.iter().all(|name| {
+            let rests = checker.as_printed(&format!("\\ddot{{{name}}} = 0"), &Claim::default(), macros);
+            matches!(status(checker, display, &rests, &claim), Status::Holds(_))
+        })
+    }
+}
+
+/// Whether the hypotheses of a claim say what an acceleration in a reading is: the line then says less than it seems to.
+pub(super) fn is_degenerate(checker: &Checker<'_>, claim: &Claim, reading: &Reading) -> bool {
+    // The acceleration of what is defined by a coordinate is one of the coordinate.
+    let defined = |(id, dots): (SymbolId, u8)| match checker.model.meaning(id) {
+        Some(Meaning::Defined(formula)) => {
+            let of_formula = formula.symbols().into_iter().map(|(id, more)| (id, dots + more));
+            std::iter::once((id, dots)).chain(of_formula).collect::<Vec<_>>()
+        }
+        _ => vec![(id, dots)],
+    };
+    let members = |reading: &Reading| -> Vec<(SymbolId, u8)> {
+        let all = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        all.flat_map(Expr::symbols).flat_map(defined).filter(|(_, dots)| *dots > 1).collect()
+    };
+    let own = members(reading);
+    !own.is_empty()
+        && claim.assume.iter().any(|text| {
+            let said = checker.as_printed(&text.value, &Claim::default(), &checker.model.macros);
+            members(&said).iter().any(|rate| own.contains(rate))
+        })
+}
+
+fn said(text: String) -> Spanned<String> {
+    Spanned::new(text, Span::default())
+}

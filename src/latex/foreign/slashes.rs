@@ -1,0 +1,189 @@
+//! What a slash divides, where people mean one thing: `\sin\alpha/k` divides the sine, and `e^{-t/RC}` has RC below the slash.
+
+use crate::source::Span;
+
+use super::units::{braced, skipped};
+
+/// Letters that are angles: nobody means the sine of their quotient by a length.
+const ANGLES: [&str; 14] = [
+    "\\alpha",
+    "\\beta",
+    "\\gamma",
+    "\\delta",
+    "\\theta",
+    "\\vartheta",
+    "\\phi",
+    "\\varphi",
+    "\\psi",
+    "\\chi",
+    "\\eta",
+    "\\epsilon",
+    "\\varepsilon",
+    "\\xi",
+];
+
+/// The edits that enclose the argument of a function which is divided by a parenthesis, by another function, or, if it is an
+/// angle, by a letter: `\sin\alpha/(M+m)`, `\sin\alpha/k`. Nobody means the sine of that quotient. `from` is the end of the
+/// function.
+pub(super) fn divided(text: &str, from: usize) -> Option<[(Span, String); 2]> {
+    let skip = |at: usize| at + text[at..].len() - text[at..].trim_start().len();
+    let mut start = skip(from);
+    if text[start..].starts_with('^') {
+        let power = &text[start + 1..];
+        let length = match power.starts_with('{') {
+            true => power.find('}')? + 1,
+            false => power.chars().next().filter(char::is_ascii_digit)?.len_utf8(),
+        };
+        start = skip(start + 1 + length);
+    }
+    let argument = text[start..].strip_prefix('\\').unwrap_or(&text[start..]);
+    let is_command = argument.len() < text[start..].len();
+    let letters = argument.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(argument.len());
+    let length = if is_command { 1 + letters } else { letters.min(1) };
+    let end = start + length;
+    let after = text[skip(end)..].strip_prefix('/')?.trim_start();
+    let is_enclosed = ["(", "\\left(", "\\sin", "\\cos", "\\tan"].iter().any(|below| after.starts_with(below));
+    let is_angle = ANGLES.contains(&&text[start..end]) && after.starts_with(|c: char| c.is_ascii_alphabetic());
+    (letters > 0 && (is_enclosed || is_angle))
+        .then(|| [(Span::new(start, start), "(".to_owned()), (Span::new(end, end), ")".to_owned())])
+}
+
+/// The edits that enclose a product after a slash in an exponent, up to its end or a sign: `e^{-t/RC}`. Where the time is the
+/// last factor, `e^{-k/m t}`, it stands beside the quotient.
+pub(super) fn products_in_exponents(text: &str) -> Vec<(Span, String)> {
+    let mut edits = Vec::new();
+    for (at, _) in text.match_indices("^{") {
+        let start = at + "^{".len();
+        let Some((inside, length)) = braced(&text[start..]) else { continue };
+        let end = start + length - "}".len();
+        for (slash, _) in inside.match_indices('/') {
+            let factors = factors(&text[..end], start + slash + 1);
+            let (Some(first), Some(last)) = (factors.first(), factors.last()) else { continue };
+            let rest = text[last.end..end].trim_start();
+            if factors.len() < 2 || !(rest.is_empty() || rest.starts_with(['+', '-', ')', ']'])) {
+                continue;
+            }
+            match (&text[last.range()], factors.as_slice()) {
+                ("t", [_, only]) => edits.push((Span::new(only.start, only.start), "\\cdot ".to_owned())),
+                ("t", _) => {}
+                _ => {
+                    edits.push((Span::new(first.start, first.start), "(".to_owned()));
+                    edits.push((Span::new(last.end, last.end), ")".to_owned()));
+                }
+            }
+        }
+    }
+    edits
+}
+
+/// The plain factors that stand side by side from a place on: letters with their subscripts, and numbers. None, if something
+/// else, as a parenthesis, stands among them.
+fn factors(text: &str, from: usize) -> Vec<Span> {
+    let mut found = Vec::new();
+    let mut at = skipped(text, from);
+    while let Some(end) = factor(text, at) {
+        found.push(Span::new(at, end));
+        at = skipped(text, end);
+    }
+    found
+}
+
+/// The end of a letter with its subscript, or of a number.
+pub(super) fn factor(text: &str, at: usize) -> Option<usize> {
+    let rest = &text[at..];
+    let first = rest.chars().next()?;
+    if first.is_ascii_digit() {
+        return Some(at + rest.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(rest.len()));
+    }
+    let mut end = match (first, rest.strip_prefix('\\')) {
+        (_, Some(command)) => {
+            let letters = command.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(command.len());
+            if letters == 0 || !is_letter(&command[..letters]) {
+                return None;
+            }
+            at + 1 + letters
+        }
+        (first, None) if first.is_ascii_alphabetic() => at + 1,
+        _ => return None,
+    };
+    if let Some(sub) = text[end..].strip_prefix('_') {
+        end += 1 + match sub.strip_prefix('{') {
+            Some(inside) => 1 + braced(inside)?.1,
+            None if sub.starts_with('\\') => {
+                1 + sub[1..].find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(sub.len() - 1)
+            }
+            None => sub.chars().next()?.len_utf8(),
+        };
+    }
+    while text[end..].starts_with('\'') {
+        end += 1;
+    }
+    Some(end)
+}
+
+/// Whether a command prints a letter.
+fn is_letter(command: &str) -> bool {
+    const LETTERS: [&str; 34] = [
+        "alpha",
+        "beta",
+        "gamma",
+        "delta",
+        "epsilon",
+        "varepsilon",
+        "zeta",
+        "eta",
+        "theta",
+        "vartheta",
+        "iota",
+        "kappa",
+        "lambda",
+        "mu",
+        "nu",
+        "xi",
+        "rho",
+        "varrho",
+        "sigma",
+        "tau",
+        "upsilon",
+        "phi",
+        "varphi",
+        "chi",
+        "psi",
+        "omega",
+        "Gamma",
+        "Delta",
+        "Theta",
+        "Lambda",
+        "Phi",
+        "Psi",
+        "Omega",
+        "ell",
+    ];
+    LETTERS.contains(&command)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::plain;
+
+    #[test]
+    fn a_slash_in_an_exponent_divides_by_the_whole_product() {
+        assert_eq!(plain(r"e^{-t/RC}"), r"e^{-t/(RC)}");
+        assert_eq!(plain(r"e^{-2t/R_1 C_{2} + 1}"), r"e^{-2t/(R_1 C_{2}) + 1}");
+        assert_eq!(plain(r"e^{-\gamma t/2m}"), r"e^{-\gamma t/(2m)}");
+        assert_eq!(plain(r"e^{-k/m t}"), r"e^{-k/m \cdot t}");
+        // The twins: one factor, parentheses, no exponent, a factor that is no letter.
+        for text in [r"e^{-t/\tau}", r"e^{-t/(RC)}", r"t/RC", r"e^{-t/R(C)}", r"e^{-x/l \cos x}"] {
+            assert_eq!(plain(text), text);
+        }
+    }
+
+    #[test]
+    fn a_slash_after_the_sine_of_an_angle_divides_the_sine() {
+        assert_eq!(plain(r"mg\sin\alpha / k"), r"mg\sin(\alpha) / k");
+        // The twins: half of an angle, and a length in units of another one.
+        for text in [r"\sin\alpha/2", r"\sin x/L", r"\cos\omega/n"] {
+            assert_eq!(plain(text), text);
+        }
+    }
+}

@@ -1,0 +1,205 @@
+//! Numbers with units, as numbers in units of the SI; numbers in degrees.
+
+use crate::source::Span;
+
+/// Units, and the power of ten that each is of the unit of the SI.
+const UNITS: [(&str, i32); 37] = [
+    ("kg", 0),
+    ("m", 0),
+    ("s", 0),
+    ("N", 0),
+    ("J", 0),
+    ("W", 0),
+    ("V", 0),
+    ("A", 0),
+    ("K", 0),
+    ("Pa", 0),
+    ("Hz", 0),
+    ("C", 0),
+    ("F", 0),
+    ("H", 0),
+    ("T", 0),
+    ("mol", 0),
+    ("rad", 0),
+    ("Nm", 0),
+    ("Js", 0),
+    ("cm", -2),
+    ("mm", -3),
+    ("km", 3),
+    ("dm", -1),
+    ("nm", -9),
+    ("g", -3),
+    ("mg", -6),
+    ("ms", -3),
+    ("kN", 3),
+    ("kJ", 3),
+    ("kW", 3),
+    ("kPa", 3),
+    ("mA", -3),
+    ("MW", 6),
+    ("MJ", 6),
+    ("nF", -9),
+    ("pF", -12),
+    ("kV", 3),
+];
+
+/// The numbers in a text, but for those in a subscript or a power.
+pub(super) fn numbers(text: &str) -> Vec<Span> {
+    let mut found = Vec::new();
+    let bytes = text.as_bytes();
+    let mut at = 0;
+    while at < bytes.len() {
+        if !bytes[at].is_ascii_digit() {
+            at += 1;
+            continue;
+        }
+        let length = bytes[at..].iter().take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count();
+        let before = text[..at].trim_end_matches('{');
+        if !before.ends_with(['_', '^']) && !before.ends_with(|c: char| c.is_ascii_alphabetic()) {
+            found.push(Span::new(at, at + length));
+        } else if before.ends_with('^') && before.trim_end_matches(['^', '-']).ends_with("10") {
+            // `10^3` and `10^{-3}` end a number.
+            found.push(Span::new(at, at + length + usize::from(text[at + length..].starts_with('}'))));
+        }
+        at += length;
+    }
+    found
+}
+
+/// A number in degrees, as a multiple of π.
+pub(super) fn degrees(text: &str, number: Span) -> Option<(Span, String)> {
+    let rest = &text[number.end..];
+    let mark = ["^\\circ", "^{\\circ}", "\\degree", "°"].iter().find(|mark| rest.starts_with(**mark))?;
+    let value = text[number.range()].to_owned();
+    Some((Span::new(number.start, number.end + mark.len()), format!("\\frac{{{value} \\pi}}{{180}}")))
+}
+
+/// The end of a unit after a number, and its power of ten; `None`, if no unit of the list stands there.
+pub(super) fn units(text: &str, from: usize) -> Option<(usize, i32)> {
+    let mut at = skipped(text, from);
+    let mut power = 0;
+    let mut sign = 1;
+    let mut end = None;
+    while let Some((next, more)) = unit(text, at) {
+        power += sign * more;
+        end = Some(next);
+        let rest = &text[skipped(text, next)..];
+        at = text.len() - rest.len();
+        if let Some(after) = rest.strip_prefix('/') {
+            (sign, at) = (-1, skipped(text, text.len() - after.len()));
+        } else if let Some(after) = rest.strip_prefix("\\cdot") {
+            at = skipped(text, text.len() - after.len());
+        }
+    }
+    Some((end?, power))
+}
+
+/// The end of one unit, with its power, and the power of ten.
+fn unit(text: &str, at: usize) -> Option<(usize, i32)> {
+    let rest = &text[at..];
+    if let Some(inside) = rest.strip_prefix("\\frac{") {
+        let (above, length) = braced(inside)?;
+        let below = inside[length..].strip_prefix('{')?;
+        let (below, more) = braced(below)?;
+        let power = whole(above)? - whole(below)?;
+        return Some((at + "\\frac{".len() + length + 1 + more, power));
+    }
+    let command = ["\\text{", "\\mathrm{", "\\textrm{", "\\mbox{", "\\rm{", "\\unit{"];
+    let command = command.iter().find(|command| rest.starts_with(**command))?;
+    let (inside, length) = braced(&rest[command.len()..])?;
+    let power = words(inside)?;
+    let end = at + command.len() + length;
+    let (exponent, end) = exponent(text, end);
+    Some((end, power * exponent))
+}
+
+/// The power of ten of a text that is units and nothing else.
+fn whole(text: &str) -> Option<i32> {
+    if text.trim() == "1" {
+        return Some(0);
+    }
+    let (end, power) = units(text, 0)?;
+    text[end..].trim().is_empty().then_some(power)
+}
+
+/// The power of ten of the units in a word: `m/s^2`, `kg m`.
+fn words(text: &str) -> Option<i32> {
+    let mut power = 0;
+    let mut sign = 1;
+    let text = text.replace("\\,", " ").replace("\\cdot", " ").replace("\\ ", " ").replace(['~', '·'], " ");
+    let text = text.replace('²', "^2").replace('³', "^3").replace('/', " / ");
+    let mut any = false;
+    for word in text.split_whitespace() {
+        if word == "/" {
+            sign = -1;
+            continue;
+        }
+        let (name, exponent) = word.split_once('^').unwrap_or((word, "1"));
+        let exponent: i32 = exponent.trim_matches(['{', '}']).parse().ok()?;
+        let (_, ten) = UNITS.iter().find(|(unit, _)| *unit == name)?;
+        power += sign * ten * exponent.clamp(-9, 9);
+        any = true;
+    }
+    any.then_some(power)
+}
+
+/// The exponent that stands at a place, and where it ends; 1, if none does.
+fn exponent(text: &str, at: usize) -> (i32, usize) {
+    let none = (1, at);
+    let Some(rest) = text[at..].strip_prefix('^') else { return none };
+    let (digits, length) = match rest.strip_prefix('{') {
+        Some(inside) => match braced(inside) {
+            Some((digits, length)) => (digits, length + 1),
+            None => return none,
+        },
+        None => match rest.chars().next() {
+            Some(c) => (&rest[..c.len_utf8()], c.len_utf8()),
+            None => return none,
+        },
+    };
+    digits.trim().parse().map_or(none, |value: i32| (value.clamp(-9, 9), at + 1 + length))
+}
+
+/// What stands before the brace that closes, and the length with it.
+pub(super) fn braced(text: &str) -> Option<(&str, usize)> {
+    let mut depth = 1;
+    for (at, c) in text.char_indices() {
+        depth += i32::from(c == '{') - i32::from(c == '}');
+        if depth == 0 {
+            return Some((&text[..at], at + 1));
+        }
+    }
+    None
+}
+
+/// The place after spaces.
+pub(super) fn skipped(text: &str, from: usize) -> usize {
+    let mut rest = &text[from..];
+    loop {
+        let next = rest.trim_start();
+        let next = ["\\,", "\\;", "\\:", "\\ ", "~", "\\!"].iter().find_map(|s| next.strip_prefix(*s)).unwrap_or(next);
+        if next.len() == rest.len() {
+            return text.len() - rest.len();
+        }
+        rest = next;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::plain;
+
+    #[test]
+    fn a_number_with_a_unit_is_its_number_in_units_of_the_si() {
+        assert_eq!(plain(r"m = 3\,\text{kg}"), "m = 3");
+        assert_eq!(plain(r"g = 9.81\,\frac{\text{m}}{\text{s}^2}"), "g = 9.81");
+        assert_eq!(plain(r"g = 9.81\ \mathrm{m\,s^{-2}}"), "g = 9.81");
+        assert_eq!(plain(r"l = 30\,\text{cm} + x"), r"l = 30 \cdot 10^{-2} + x");
+        assert_eq!(plain(r"v = 2~\text{km}/\text{s}"), r"v = 2 \cdot 10^{3}");
+        assert_eq!(plain(r"\alpha = 60^\circ"), r"\alpha = \frac{60 \pi}{180}");
+        // The twins: no unit, no number, a subscript.
+        for text in [r"3\,\text{apples}", r"x = \text{m}", r"T_1 \mathrm{m}", r"3 m"] {
+            assert_eq!(plain(text), text);
+        }
+    }
+}
