@@ -28,7 +28,8 @@ pub fn check(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
 }
 
 fn judged(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
-    if !context.model.has_motion() {
+    let has_motion = context.model.has_motion();
+    if !has_motion && !context.hypotheses.iter().any(is_about_rates) {
         return Ok(context.finding(
             Code::NoMotion,
             Verdict::Undecided,
@@ -53,7 +54,9 @@ fn judged(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     let zero = Expr::integer(0, expr.span);
     let free = crate::formula::shape::bind(expr.clone(), &context.model.symbols).map(|(_, found)| found.free);
     let link = Link { lhs: rate, relation: Relation::Equal, rhs: zero, free: free.unwrap_or_default() };
-    let off_shell = context.ensemble(context.mode(false, &[&link.lhs]), false, context.options.points)?;
+    // Where only hypotheses say how something moves, they are the motion.
+    let free = Context { hypotheses: if has_motion { context.hypotheses } else { &[] }, ..*context };
+    let off_shell = free.ensemble(free.mode(false, &[&link.lhs]), false, context.options.points)?;
     match run(&link, &off_shell.states) {
         Err(reason) => return Ok(context.unavailable(&reason)),
         Ok(outcome) if outcome.failure.is_none() => {
@@ -65,11 +68,21 @@ fn judged(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
         }
         Ok(_) => {}
     }
-    let on_shell = Context { on_shell: Some(true), ..*context };
-    let mode = on_shell.mode(true, &[&link.lhs]);
+    let on_shell = Context { on_shell: has_motion.then_some(true), ..*context };
+    let mode = on_shell.mode(has_motion, &[&link.lhs]);
     let ensemble = on_shell.ensemble(mode, false, context.options.points)?;
     if ensemble.states.is_empty() {
         return Ok(context.no_state(&ensemble));
+    }
+    // Hypotheses such as a \dot x = b \dot x hold at rest too, where anything is constant.
+    let rests = |(id, _): &(SymbolId, u8)| {
+        let symbol = Expr::new(Node::Symbol { id: *id, indices: Vec::new(), dots: 1 }, expr.span);
+        let link = Link { lhs: symbol, ..link.clone() };
+        run(&link, &ensemble.states).is_ok_and(|outcome| outcome.failure.is_none())
+    };
+    if !has_motion && expr.symbols().iter().all(rests) {
+        let message = "the hypotheses hold only at rest, where anything is constant";
+        return Ok(context.finding(Code::NoMotion, Verdict::Undecided, message));
     }
     let states = AtStates::new(&link, &ensemble.states);
     let outcome = match states.run(&ensemble.projection) {
@@ -97,6 +110,18 @@ fn judged(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
         _ => finding.message,
     };
     Ok(finding)
+}
+
+/// Whether a hypothesis that holds at all times says how something moves.
+fn is_about_rates(hypothesis: &Hypothesis) -> bool {
+    let has_rate = |side: &Expr| {
+        let mut found = false;
+        side.walk(&mut |part| {
+            found |= matches!(part.node, Node::TimeDerivative(..) | Node::Symbol { dots: 1.., .. });
+        });
+        found
+    };
+    hypothesis.throughout && (has_rate(&hypothesis.lhs) || has_rate(&hypothesis.rhs))
 }
 
 /// The message that a quantity changes, with its rate at the counterexample.

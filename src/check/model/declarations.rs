@@ -168,6 +168,14 @@ impl Builder<'_> {
                 "this can be a mean value \\langle E \\rangle, a name with arguments V(\\vec r), a derivative, a sum or an integral",
             )
         })?;
+        if declaration.range.value == Range::Rate {
+            return match self.model.macros.values.add_rate(&items) {
+                true => Ok(()),
+                false => Err(self
+                    .error(latex, format!("{} is no differential, so it cannot be a rate", latex.value))
+                    .help("this can be a d before one name, such as dU")),
+            };
+        }
         let is_vector = matches!(declaration.range.value, Range::Matrix(3, 1));
         let kind = if is_vector { Kind::Vector } else { Kind::Scalar };
         let moves = declaration.role == Role::VariesWithTime;

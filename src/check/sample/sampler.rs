@@ -102,7 +102,8 @@ impl Sampler {
             | Range::Labels { .. }
             | Range::Matrix(..)
             | Range::Complex
-            | Range::ImaginaryUnit => self.value(&Range::Any, spread),
+            | Range::ImaginaryUnit
+            | Range::Rate => self.value(&Range::Any, spread),
             Range::Integer { low, high } => {
                 let high = last(high, *low);
                 (*low as f64 + (self.unit() * (high - low + 1) as f64).floor()).min(high as f64)
@@ -169,7 +170,8 @@ pub fn contains(range: &Range, value: f64) -> bool {
         | Range::Labels { .. }
         | Range::Matrix(..)
         | Range::Complex
-        | Range::ImaginaryUnit => value.is_finite(),
+        | Range::ImaginaryUnit
+        | Range::Rate => value.is_finite(),
         Range::Interval { low, high, low_open, high_open } => {
             let above = if *low_open { value > *low } else { value >= *low };
             let below = if *high_open { value < *high } else { value <= *high };

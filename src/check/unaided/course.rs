@@ -226,7 +226,8 @@ impl Course<'_, '_> {
         if let Some(nearly) = self.nearly(at, &found)? {
             return Ok(nearly);
         }
-        let Some(symbols) = self.symbols(at).filter(|_| found.finding.verdict == Verdict::Refuted) else {
+        let may_follow = found.finding.verdict == Verdict::Refuted || found.finding.code == Code::NoMotion;
+        let Some(symbols) = self.symbols(at).filter(|_| may_follow) else {
             return Ok(gate::as_it_counts(found));
         };
         // A formula in a sentence is a premise of the next display; it is not judged.
@@ -239,7 +240,7 @@ impl Course<'_, '_> {
         let mut words = prose::before(self.checker.notes, origin);
         words.named.extend(self.formulas_before(origin));
         let before: Vec<Premise> = self.known.iter().filter(|premise| premise.at < origin).cloned().collect();
-        let sets = premises::sets(&before, &symbols, &words.named);
+        let sets = premises::sets(&before, &symbols, self.has_rates(at), &words.named);
         let positive = signs::positive(&self.checker.readings[at], &symbols, self.checker.model);
         if let Some(positive) = &positive
             && let Some(follows) = self.follows_where(at, positive, claim)?
@@ -393,6 +394,15 @@ impl Course<'_, '_> {
             let origin = self.scope.origin_of(at, self.checker.notes.equations.len());
             (0..origin).any(|earlier| printed(earlier) == own)
         }
+    }
+
+    /// Whether a rate stands in a display.
+    fn has_rates(&self, at: usize) -> bool {
+        let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        let is_rate = |member: &Expr| member.symbols().iter().any(|(_, dots)| *dots > 0);
+        // What is constant has a rate of 0.
+        let mut statements = self.checker.readings[at].statements.iter().flatten();
+        statements.any(|statement| statement.constant.is_some()) || members.into_iter().any(is_rate)
     }
 
     /// The symbols that a display relates, if it was read.

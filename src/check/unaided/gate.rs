@@ -373,6 +373,15 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     };
     let is_printed = |pair: &[Expr]| is_differentiated(pair) || is_integrated(pair) || is_expanded(pair);
     let says_something = |pair: &[Expr]| is_content(&pair[0], &pair[1], &symbols, model) || is_printed(pair);
+    // That a formula is constant is a claim about it, and the correction has its symbols.
+    let is_constant = |statement: &&Statement| {
+        matches!(statement.members.as_slice(), [only] if statement.constant.is_some()
+            && occurrences(only, model) >= FEWEST_SYMBOLS - 1
+            && only.span.contains(edited))
+    };
+    if basis != Basis::Definitions && has_same && statements.iter().any(is_constant) {
+        return true;
+    }
     claims.peek().is_some() && claims.all(says_something)
 }
 

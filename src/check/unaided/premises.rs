@@ -35,7 +35,13 @@ pub(super) struct Premise {
 }
 
 /// The sets of premises that a statement with these symbols may follow from. `named` are the displays that the prose names.
-pub(super) fn sets<'p>(known: &'p [Premise], symbols: &[SymbolId], named: &[usize]) -> Vec<Vec<&'p Premise>> {
+/// In a statement about rates, what each premise says of rates counts too.
+pub(super) fn sets<'p>(
+    known: &'p [Premise],
+    symbols: &[SymbolId],
+    has_rates: bool,
+    named: &[usize],
+) -> Vec<Vec<&'p Premise>> {
     let shares = |premise: &Premise| premise.symbols.iter().any(|symbol| symbols.contains(symbol));
     let mut found: Vec<Vec<&Premise>> = Vec::new();
     let by_name: Vec<&Premise> = known.iter().filter(|premise| named.contains(&premise.at)).collect();
@@ -57,7 +63,7 @@ pub(super) fn sets<'p>(known: &'p [Premise], symbols: &[SymbolId], named: &[usiz
             if !chosen.iter().any(|premise| shares(premise)) || found.contains(&chosen) || says_twice(&chosen) {
                 continue;
             }
-            match surplus(&chosen, symbols) {
+            match surplus(&chosen, symbols, has_rates) {
                 Some(0) => found.push(chosen),
                 Some(1) => less_likely.push(chosen),
                 _ => {}
@@ -83,7 +89,7 @@ pub(super) fn for_slips<'s, 'p>(sets: &'s [Vec<&'p Premise>]) -> impl Iterator<I
 
 /// The number of symbols that the equalities of premises cannot eliminate to leave a relation between these symbols; `None`, if one of the
 /// premises has nothing to do with the others.
-fn surplus(premises: &[&Premise], symbols: &[SymbolId]) -> Option<usize> {
+fn surplus(premises: &[&Premise], symbols: &[SymbolId], has_rates: bool) -> Option<usize> {
     let mut others: Vec<SymbolId> =
         premises.iter().flat_map(|premise| &premise.symbols).copied().filter(|id| !symbols.contains(id)).collect();
     others.sort_unstable_by_key(|id| id.0);
@@ -95,6 +101,8 @@ fn surplus(premises: &[&Premise], symbols: &[SymbolId]) -> Option<usize> {
             })
     });
     let equalities: usize = premises.iter().map(|premise| premise.equalities).sum();
+    // The rate of each equality is another one.
+    let equalities = if has_rates { 2 * equalities } else { equalities };
     connected.then(|| (others.len() + 1).saturating_sub(equalities))
 }
 

@@ -40,6 +40,8 @@ const ENDS: [&str; 24] = [
 #[derive(Clone, Debug, Default)]
 pub struct Values {
     runs: Vec<Vec<Item>>,
+    /// The names whose differentials are rates.
+    rates: Vec<Item>,
 }
 
 impl Values {
@@ -52,9 +54,52 @@ impl Values {
         }
     }
 
+    /// Makes a rate of the differential of a name; returns whether it is one.
+    pub fn add_rate(&mut self, items: &[Item]) -> bool {
+        let significant: Vec<&Item> = without_spaces(items).collect();
+        let [d, name] = significant.as_slice() else { return false };
+        let is_rate = is_d(d) && !matches!(name.layout, Layout::Fence(..));
+        if is_rate {
+            self.rates.push((*name).clone());
+        }
+        is_rate
+    }
+
+    /// The rate that stands at a place as a differential, and where it ends. The differential of the time is 1.
+    fn rate(&self, items: &[Item], at: usize) -> Option<(Item, usize)> {
+        let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
+        let next = (at + 1..items.len()).find(|next| !is_space(&items[*next]))?;
+        let (nucleus, raised) = match &items[next].layout {
+            Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes } if !self.has_rate(&items[next]) => {
+                (&**nucleus, Some((sup, *primes)))
+            }
+            _ => (&items[next], None),
+        };
+        if !is_d(&items[at]) || !self.has_rate(nucleus) {
+            return None;
+        }
+        let span = items[at].span.to(items[next].span);
+        let layout = match nucleus.layout {
+            Layout::Letter('t') => Layout::Number("1".to_owned()),
+            _ => Layout::Accent("\\dot".to_owned(), Box::new(nucleus.clone())),
+        };
+        let rate = Item { layout, span };
+        let layout = match raised {
+            Some((sup, primes)) => {
+                Layout::Scripts { nucleus: Box::new(rate), sub: None, sup: Some(sup.clone()), primes }
+            }
+            None => return Some((rate, next + 1)),
+        };
+        Some((Item { layout, span }, next + 1))
+    }
+
+    fn has_rate(&self, name: &Item) -> bool {
+        self.rates.iter().any(|known| same_item(known, name))
+    }
+
     /// The items, in which each declared run is one item.
     pub(crate) fn named(&self, items: Vec<Item>) -> Vec<Item> {
-        if self.runs.is_empty() {
+        if self.runs.is_empty() && self.rates.is_empty() {
             return items;
         }
         let mut found = Vec::with_capacity(items.len());
@@ -66,6 +111,10 @@ impl Values {
             let found_run =
                 self.runs.iter().filter(|run| fits(run)).find_map(|run| Some((run, end_of(run, &items, at)?)));
             match found_run {
+                None if !in_integral && let Some((rate, end)) = self.rate(&items, at) => {
+                    found.push(rate);
+                    at = end;
+                }
                 Some((run, end)) => {
                     let span = items[at].span.to(items[end - 1].span);
                     found.push(Item { layout: Layout::Value(text_of(run)), span });
@@ -86,6 +135,10 @@ impl Values {
             [only] => Box::new(only.clone()),
             items => Box::new(Item { layout: Layout::Group(items.to_vec()), span: items[0].span }),
         };
+        // A derivative keeps its differentials.
+        if is_derivative(&item) && !self.rates.is_empty() && !has_sign_below(&item) {
+            return item;
+        }
         let layout = match item.layout {
             Layout::Group(items) => Layout::Group(self.named(items)),
             Layout::Fence(delimiter, items) => Layout::Fence(delimiter, self.named(items)),
@@ -165,6 +218,13 @@ pub(crate) fn has_derivative(items: &[Item]) -> bool {
         let is_primed = matches!(&item.layout, Layout::Scripts { primes: 1.., .. });
         is_mark || is_primed || is_derivative(item) || parts_of(item).into_iter().any(has_derivative)
     })
+}
+
+/// Whether a sum stands below the line of a fraction.
+fn has_sign_below(item: &Item) -> bool {
+    let Layout::Fraction(_, below) = &item.layout else { return false };
+    let items = if let Layout::Group(items) = &below.layout { items } else { std::slice::from_ref(&**below) };
+    items.iter().any(|item| matches!(item.layout, Layout::Other('+' | '-')))
 }
 
 /// Whether an item begins what reaches to the end of its term.

@@ -131,6 +131,14 @@ pub enum Role {
     Index,
 }
 
+/// What a formula that stands for one name is.
+#[derive(Clone, Copy)]
+enum Formula {
+    Constant { is_vector: bool },
+    Varies { is_vector: bool },
+    Rate,
+}
+
 /// What a rotation matrix turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Turning {
@@ -312,13 +320,20 @@ fn declarations(fields: &Fields<'_>, source: &Source) -> Result<(Vec<Declaration
     }
     for (name, value) in fields.pairs("formulas as names")? {
         let words = &[
-            ("constant", (Role::Constant, false)),
-            ("varies with time", (Role::VariesWithTime, false)),
-            ("constant vector", (Role::Constant, true)),
-            ("vector that varies with time", (Role::VariesWithTime, true)),
+            ("constant", Formula::Constant { is_vector: false }),
+            ("varies with time", Formula::Varies { is_vector: false }),
+            ("constant vector", Formula::Constant { is_vector: true }),
+            ("vector that varies with time", Formula::Varies { is_vector: true }),
+            ("rate", Formula::Rate),
         ];
-        let Spanned { value: (role, is_vector), span } = fields::word(&value, &name.value, words)?;
-        let range = if is_vector { Range::Matrix(3, 1) } else { Range::Any };
+        let Spanned { value: formula, span } = fields::word(&value, &name.value, words)?;
+        let (role, range) = match formula {
+            Formula::Constant { is_vector: false } => (Role::Constant, Range::Any),
+            Formula::Constant { is_vector: true } => (Role::Constant, Range::Matrix(3, 1)),
+            Formula::Varies { is_vector: false } => (Role::VariesWithTime, Range::Any),
+            Formula::Varies { is_vector: true } => (Role::VariesWithTime, Range::Matrix(3, 1)),
+            Formula::Rate => (Role::VariesWithTime, Range::Rate),
+        };
         declarations.push(Declaration { role, name, range: Spanned::new(range, span), is_formula: true });
     }
     Ok((declarations, conditions))

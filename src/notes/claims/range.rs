@@ -55,6 +55,9 @@ pub enum Range {
     Complex,
     /// `imaginary unit`: √−1.
     ImaginaryUnit,
+    /// Of a differential such as dU: the rate of what is differentiated, since all differentials of a display are taken along one
+    /// process.
+    Rate,
     /// `fixed direction`: a vector of which only the length varies. Under `varies with time` only.
     FixedDirection,
 }

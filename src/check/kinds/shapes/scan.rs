@@ -412,7 +412,8 @@ fn grid(range: &Range, finer: u32) -> Vec<f64> {
         | Range::Labels { .. }
         | Range::Matrix(..)
         | Range::Complex
-        | Range::ImaginaryUnit => {
+        | Range::ImaginaryUnit
+        | Range::Rate => {
             let positive = decades(finer);
             positive.iter().rev().map(|x| -x).chain(positive.iter().copied()).collect()
         }

@@ -261,8 +261,16 @@ impl Guess {
     /// Declares formulas that stand for one name; returns whether one of them is new.
     fn add_values(&mut self, values: &[OneValue]) -> bool {
         let mut is_new = false;
-        for OneValue { name, moves, is_vector } in values {
+        let has_motion = self.keys.contains_key("coordinates");
+        for OneValue { name, moves, is_vector, differential_of } in values {
             if !self.keys.values().any(|group| group.get(name).is_some()) {
+                is_new = true;
+                // All differentials of a display are taken along one process, so they are as rates are.
+                if let Some(of) = differential_of.as_ref().filter(|_| !has_motion && !is_vector) {
+                    self.declare("formulas as names", name, "rate");
+                    self.release_constant(&of.to_string());
+                    continue;
+                }
                 let kind = match (moves, is_vector) {
                     (false, false) => "constant",
                     (true, false) => "varies with time",
@@ -270,7 +278,6 @@ impl Guess {
                     (true, true) => "vector that varies with time",
                 };
                 self.declare("formulas as names", name, kind);
-                is_new = true;
             }
         }
         is_new
@@ -320,6 +327,14 @@ impl Guess {
             }
         }
         is_new
+    }
+
+    /// Lets a constant vary with time.
+    fn release_constant(&mut self, name: &str) {
+        let range = self.keys.get_mut("constants").and_then(Value::as_object_mut).and_then(|group| group.remove(name));
+        if let Some(range) = range {
+            self.declare("varies with time", name, range.as_str().unwrap_or("any"));
+        }
     }
 
     /// Lets coordinates vary freely; returns whether there is one.

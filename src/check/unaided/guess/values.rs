@@ -21,11 +21,26 @@ pub(crate) struct Value {
     pub moves: bool,
     /// Whether it is a vector, as its markup says.
     pub is_vector: bool,
+    /// The name of which it is the differential.
+    pub differential_of: Option<Name>,
 }
 
 impl Value {
     fn of(run: &[Item]) -> Value {
-        Value { name: text_of(run), moves: moves(run), is_vector: is_vector(run) }
+        let is_space = |item: &&Item| matches!(item.layout, Layout::Space(_));
+        let significant: Vec<&Item> = run.iter().filter(|item| !is_space(item)).collect();
+        let printed = match significant.as_slice() {
+            [d, name] if is_d(d) => names::printed(name, None).filter(|printed| printed.dots == 0),
+            _ => None,
+        };
+        // `dx^2` is the square of dx.
+        let nucleus = match significant.get(1).map(|item| &item.layout) {
+            Some(Layout::Scripts { nucleus, sub: None, sup: Some(_), .. }) if printed.is_some() => &**nucleus,
+            _ => significant.get(1).copied().unwrap_or(&run[0]),
+        };
+        let name = if printed.is_some() { text_of(&[run[0].clone(), nucleus.clone()]) } else { text_of(run) };
+        let differential_of = printed.map(|printed| printed.name);
+        Value { name, moves: moves(run), is_vector: is_vector(run), differential_of }
     }
 }
 
