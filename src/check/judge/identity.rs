@@ -12,7 +12,6 @@ use crate::check::judge::difference;
 use crate::check::judge::other_branches;
 use crate::check::judge::trivial::trivial;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
-use crate::check::model::meaning::Meaning;
 use crate::check::model::order::derivatives;
 use crate::check::sample::context::Context;
 use crate::check::sample::enclosed;
@@ -120,21 +119,7 @@ fn without_hypotheses(link: &Link, context: &Context<'_>) -> Result<Option<Findi
 /// Leaves those of the states at which all defined names of a claim have a value; returns whether there are enough of them, and
 /// others. A claim says nothing where a quantity that it names does not exist.
 fn where_names_exist(link: &Link, ensemble: &mut Ensemble<'_>) -> bool {
-    let mut names: Vec<Expr> = Vec::new();
-    for side in [&link.lhs, &link.rhs] {
-        side.walk(&mut |part| {
-            if part.as_plain_symbol().is_some() && !names.contains(part) {
-                names.push(part.clone());
-            }
-        });
-    }
-    let exists = |state: &SampledState<'_, RunningError>, name: &Expr| {
-        let is_defined = |id| matches!(state.model().meaning(id), Some(Meaning::Defined(_)));
-        let value =
-            || state.now(name, &[]).is_ok_and(|value| value.entries().iter().all(|entry| entry.value.is_finite()));
-        !name.as_plain_symbol().is_some_and(is_defined) || value()
-    };
-    let all: Vec<bool> = ensemble.states.iter().map(|state| names.iter().all(|name| exists(state, name))).collect();
+    let all: Vec<bool> = ensemble.states.iter().map(|state| residual::has_its_names(link, state)).collect();
     let count = all.iter().filter(|exist| **exist).count();
     if count < FEWEST || count == all.len() {
         return false;

@@ -113,7 +113,7 @@ pub(crate) fn judged(
             Ok(Point::Fails(failure)) => {
                 return Some(found((Code::SidesDiffer, Verdict::Refuted), message, state, failure));
             }
-            Ok(Point::OneSided(failure)) if ends.is_none() => {
+            Ok(Point::OneSided(failure)) if ends.is_none() && residual::has_its_names(link, state) => {
                 let side = if failure.lhs.is_finite() { &link.rhs } else { &link.lhs };
                 ends = has_no_value(side, state, projection).then_some((state, failure));
             }

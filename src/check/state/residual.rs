@@ -21,6 +21,7 @@ use crate::formula::{Expr, IndexId, Relation, Value};
 use crate::scalar::{Number, RunningError};
 
 use crate::check::model::claim::Link;
+use crate::check::model::meaning::Meaning;
 use crate::check::state::sampled_state::SampledState;
 
 /// The relative size up to which a residual is rounding error: about forty roundings of a double. Identities stay far
@@ -305,6 +306,24 @@ pub fn advance<B: Number>(indices: &mut [(IndexId, u8)], state: &SampledState<'_
         *value = 1;
     }
     Ok(false)
+}
+
+/// Whether all defined names of a claim have a value at a state. A claim says nothing where a quantity that it names does not
+/// exist.
+pub(crate) fn has_its_names(link: &Link, state: &SampledState<'_, RunningError>) -> bool {
+    let mut names: Vec<&Expr> = Vec::new();
+    let mut all = true;
+    for side in [&link.lhs, &link.rhs] {
+        side.walk(&mut |part| {
+            let is_defined = |id| matches!(state.model().meaning(id), Some(Meaning::Defined(_)));
+            if part.as_plain_symbol().is_some_and(is_defined) && !names.contains(&part) {
+                names.push(part);
+                let value = state.now(part, &[]);
+                all &= value.is_ok_and(|value| value.entries().iter().all(|entry| entry.value.is_finite()));
+            }
+        });
+    }
+    all
 }
 
 #[cfg(test)]

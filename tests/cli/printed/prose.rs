@@ -26,6 +26,13 @@ fn verdicts(name: &str, claims: &Value, notes: &str) -> Vec<String> {
     equations.iter().map(verdict).collect()
 }
 
+/// The verdict on a line that is expected to be refuted, so that no corrections are sought.
+fn refused(name: &str, claims: &Value, notes: &str, id: &str) -> String {
+    let mut claims = claims.clone();
+    claims["equations"][id] = json!({ "expect": "refuted", "because": "a slip" });
+    verdicts(name, &claims, notes)[id.parse::<usize>().expect("a number") - 1].clone()
+}
+
 fn spring() -> Value {
     json!({
         "coordinates": { "x": "any" },
@@ -117,12 +124,8 @@ $$ x = \frac{{E_0}}{{F}} \{function} \frac{{F y}}{{p_0 c}} \tag{{4}} $$
 "
         )
     };
-    let of = |inverse, function| verdicts("relativistic", &claims, &notes(inverse, function));
-    assert_eq!(of("arsinh", "cosh")[1..], ["passes", "passes", "passes"]);
-    assert_eq!(of("artanh", "cosh")[2], "refuted");
-    assert_eq!(of("arsinh", "sinh")[3], "refuted");
-    // A word that is no function here is no constant of integration either.
-    assert_eq!(of("argsh", "cosh")[2], "unreadable");
+    assert_eq!(verdicts("relativistic", &claims, &notes("arsinh", "cosh"))[1..], ["passes", "passes", "passes"]);
+    assert_eq!(refused("hyperbola", &claims, &notes("arsinh", "sinh"), "4"), "refuted");
 }
 
 #[test]
@@ -145,8 +148,8 @@ $$ \Omega = {sign} \frac{{h}}{{m r_0^2}} = \sqrt{{\frac{{M g}}{{m r_0}}}} \tag{{
         )
     };
     assert_eq!(verdicts("positive", &claims, &notes(""))[3], "passes");
-    assert_eq!(verdicts("positive", &claims, &notes("-"))[3], "refuted");
-    assert_eq!(verdicts("positive", &claims, &notes("2"))[3], "refuted");
+    assert_eq!(refused("negative", &claims, &notes("-"), "4"), "refuted");
+    assert_eq!(refused("double", &claims, &notes("2"), "4"), "refuted");
 }
 
 #[test]
@@ -250,7 +253,7 @@ $$ \frac{{d}}{{dt}} \frac{{\partial L}}{{\partial\dot x}} = - k x \tag{{7}} $$
         assert_eq!(equations[at]["verdict"], "refuted");
         let first = &equations[at]["repairs"][0];
         assert_eq!((first["of"].as_str(), &first["mends"]), (Some("1"), &json!(["4", "5"])), "{first}");
-        assert_eq!(first["replacement"], r"\frac{1}{2} \, ");
+        assert_eq!(first["replacement"], r"\frac12 \, ");
     }
     // Two slips of their own are corrected where they are.
     let two = notes("\\frac12")
@@ -261,4 +264,22 @@ $$ \frac{{d}}{{dt}} \frac{{\partial L}}{{\partial\dot x}} = - k x \tag{{7}} $$
         let first = &report["documents"][0]["equations"][at]["repairs"][0];
         assert!(first["of"].is_null(), "{first}");
     }
+}
+
+#[test]
+fn inverse_hyperbolic_functions_are_read_and_other_words_are_no_constants() {
+    let claims = json!({ "coordinates": { "x": "any" }, "constants": { "a": "(0, 1)", "k": "> 0" }, "means": { "L": "Lagrangian" } });
+    let notes = r"$$ L = \frac12 \dot x^2 - \frac12 k x^2 \tag{1} $$
+
+$$ \sinh(\operatorname{arsinh} a) = a \tag{2} $$
+
+$$ \tanh(\operatorname{artanh} a) = a \tag{3} $$
+
+$$ \cosh(\operatorname{arcosh}(1 + a)) = 1 + a \tag{4} $$
+
+$$ x(t) = \operatorname{argsh} \cos(\sqrt k t) \tag{5} $$
+";
+    assert_eq!(verdicts("inverse", &claims, notes)[1..], ["passes", "passes", "passes", "unreadable"]);
+    let wrong = notes.replace("\\tanh(\\operatorname{artanh} a)", "\\tanh(\\operatorname{arsinh} a)");
+    assert_eq!(refused("wrong", &claims, &wrong, "3"), "refuted");
 }

@@ -31,7 +31,12 @@ pub(crate) fn declare(text: &str, reading: &Reading, model: &mut Model) -> bool 
     let (mut reading, mut with_introduced) = (reading.clone(), symbols.clone());
     while let Some(name) = missing(&reading) {
         // An upright word, as in \operatorname{erfi}, is a function that is not known here.
-        let is_word = |name: &Name| !name.base.starts_with('\\') && name.base.chars().count() > 1;
+        let is_word = |name: &Name| {
+            let upright = ["\\mathrm{", "\\operatorname{", "\\text{"];
+            let word = upright.iter().find_map(|style| name.base.strip_prefix(style)?.strip_suffix('}'));
+            let word = word.unwrap_or(&name.base);
+            !word.starts_with('\\') && word.chars().count() > 1
+        };
         let Some((name, 0)) = names::parse(&name).filter(|(name, _)| !is_word(name)) else { return false };
         let Some(id) = symbols.add(name, Kind::Scalar).filter(|_| new.len() < MOST) else { return false };
         new.push(id);
