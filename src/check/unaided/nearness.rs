@@ -324,12 +324,10 @@ fn named(sentence: &str, symbols: &[SymbolId], name: impl Fn(SymbolId) -> String
     for (before, formula) in pieces.iter().zip(pieces.iter().skip(1)).step_by(2) {
         for (sign, left_is_large) in [("\\ll", false), ("\\gg", true)] {
             let Some((left, right)) = formula.split_once(sign) else { continue };
-            for id in symbols {
-                let has = |side: &str| has_name(&bare(side), &bare(&name(*id)));
-                match (has(left), has(right)) {
-                    (true, false) => note(*id, left_is_large),
-                    (false, true) => note(*id, !left_is_large),
-                    _ => {}
+            let has = |side: &str, id: SymbolId| has_name(&bare(side), &bare(&name(id)));
+            for (side, other, is_large) in [(left, right, left_is_large), (right, left, !left_is_large)] {
+                for id in symbols.iter().filter(|id| has(side, **id) && !has(other, **id)) {
+                    note(*id, is_large);
                 }
             }
         }
