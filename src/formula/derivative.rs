@@ -331,7 +331,7 @@ impl Differentiator<'_> {
             let Some(end) = end else { continue };
             let change = self.of(end, depth)?;
             let mut there = self.copy(&of.integrand);
-            there.substitute(&|node| matches!(node, Node::Letter(id) if *id == of.letter).then(|| self.copy(end)));
+            there.substitute(&|node| matches!(node, Node::Letter(name) if *name == of.letter).then(|| self.copy(end)));
             terms.push((sign, self.product(vec![there, change])));
         }
         Ok(self.sum(terms, expr))

@@ -83,7 +83,7 @@ pub(super) struct Evaluator<'a, D> {
     pub(super) environment: &'a dyn Environment<D>,
     pub(super) indices: Vec<(IndexId, u8)>,
     /// The letters of the integrals around a formula, with their values.
-    pub(super) letters: Vec<(SymbolId, D)>,
+    pub(super) letters: Vec<(String, D)>,
     /// The number of terms of the result that are used.
     terms: usize,
 }

@@ -34,9 +34,9 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 Ok(number.part(*part).map_or_else(Value::Complex, Value::Scalar))
             }
             Node::Cases(branches) => self.cases(branches),
-            Node::Letter(id) => {
-                let value = self.letters.iter().rev().find(|(letter, _)| letter == id).map(|(_, value)| *value);
-                value.map(Value::Scalar).ok_or(Unavailable::Symbol(*id))
+            Node::Letter(name) => {
+                let value = self.letters.iter().rev().find(|(letter, _)| letter == name).map(|(_, value)| *value);
+                value.map(Value::Scalar).ok_or(Unavailable::Operation("the letter of an integral outside of it"))
             }
             Node::Definite(of) => {
                 let environment = self.environment;
@@ -53,7 +53,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
         let mut end = |end: &Option<Expr>| end.as_ref().map(|end| self.scalar(end)).transpose();
         let ends = (end(&of.lower)?, end(&of.upper)?);
         let value = quadrature::integral(ends, &mut |x| {
-            self.letters.push((of.letter, x));
+            self.letters.push((of.letter.clone(), x));
             let value = self.scalar(&of.integrand);
             self.letters.pop();
             value

@@ -191,11 +191,11 @@ impl Writer<'_> {
             }
             Node::Component(a, index) => format!("({})_{}", self.bare(a), self.index(*index)),
             Node::Rest(_) => "…".into(),
-            Node::Letter(id) => plain(&self.symbols.entry(*id).name.to_string()),
+            Node::Letter(name) => plain(name),
             Node::Definite(of) => {
                 let end =
                     |end: &Option<Expr>, none: &str| end.as_ref().map_or(none.to_owned(), |end| self.write(end, 3));
-                let letter = plain(&self.symbols.entry(of.letter).name.to_string());
+                let letter = plain(&of.letter);
                 let (lower, upper) = (end(&of.lower, "−∞"), end(&of.upper, "∞"));
                 format!("∫_{lower}^{upper} {} d{letter}", self.write(&of.integrand, 1))
             }

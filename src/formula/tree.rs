@@ -119,15 +119,15 @@ pub enum Node {
     Definite(Box<Definite>),
     /// The terms that are left out at the end of a sum: `\dots`, or `O(x^2 y)` with the powers of x and y.
     Rest(Vec<(SymbolId, i32)>),
-    /// The letter of such an integral, inside it.
-    Letter(SymbolId),
+    /// The letter of such an integral, inside it. It is no symbol, and means nothing outside.
+    Letter(String),
 }
 
 /// `\int_{lower}^{upper} integrand d(letter)`: its value is found by quadrature.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Definite {
     /// The letter, which is [`Node::Letter`] in the integrand.
-    pub letter: SymbolId,
+    pub letter: String,
     /// The lower end; `None` for −∞.
     pub lower: Option<Expr>,
     /// The upper end; `None` for +∞.

@@ -214,11 +214,11 @@ impl Typesetter<'_> {
             }
             Node::Component(a, index) => format!("\\left({}\\right)_{{{}}}", self.bare(a), self.index(*index)),
             Node::Rest(_) => "\\dots".into(),
-            Node::Letter(id) => self.symbol(*id, &[], 0),
+            Node::Letter(name) => name.clone(),
             Node::Definite(of) => {
                 let end = |end: &Option<Expr>, none: &str| end.as_ref().map_or(none.to_owned(), |end| self.bare(end));
                 let (lower, upper) = (end(&of.lower, "-\\infty"), end(&of.upper, "\\infty"));
-                let letter = self.symbol(of.letter, &[], 0);
+                let letter = &of.letter;
                 format!("\\int_{{{lower}}}^{{{upper}}} {} \\, d{letter}", self.body(&of.integrand))
             }
         }

@@ -274,3 +274,28 @@ fn an_approximation_tests_the_definition_of_a_name_in_it() {
     let found = made(&[r"\omega = \sqrt{\frac{g}{l}}", r"\sin\theta \approx \theta + 0 \omega"]);
     assert_eq!(found.equations[0].finding.verdict, Undecided);
 }
+
+#[test]
+fn a_sum_with_dots_holds_to_the_order_of_its_last_term() {
+    let judged = |latex: &str| verdict(&numbers_with("any"), &[latex], json!({}));
+    for (right, wrong) in [
+        (r"a \cos x = a - \frac12 a x^2 + \dots", r"a \cos x = a - \frac13 a x^2 + \dots"),
+        (r"\sin x = x - \frac16 x^3 + O(x^5)", r"\sin x = x - \frac16 x^3 + O(x^6)"),
+        (r"\sqrt{a^2 + x} = a + \frac{x}{2a} + \cdots", r"\sqrt{a^2 + x} = a + \frac{x}{a} + \cdots"),
+        (r"\frac{1}{1 - x} = 1 + x + x^2 + \ldots", r"\frac{1}{1 - x} = 1 + x + x^3 + \ldots"),
+        (
+            r"b \sin x = b x\left(1 - \frac{x^2}{6} + \dots\right)",
+            r"b \sin x = b x\left(1 - \frac{x^2}{3} + \dots\right)",
+        ),
+        (r"e^x = 1 + x + \mathcal{O}(x^2)", r"e^x = 1 - x + \mathcal{O}(x^2)"),
+    ] {
+        assert_eq!(judged(right), Verified, "{right}");
+        assert_eq!(judged(wrong), Refuted, "{wrong}");
+    }
+    // must-fail cases: nothing says what is small, and dots in the middle
+    assert_eq!(judged(r"\sin x + \cos y = 1 + x + y + \dots"), Undecided);
+    assert_eq!(judged(r"e^x = 1 + x + \dots + x^2"), Unreadable);
+    // What the claims file says goes before.
+    let small = json!({ "small": "x", "order": 3 });
+    assert_eq!(verdict(&numbers_with("any"), &[r"\sin x = x + \dots"], small), Refuted);
+}

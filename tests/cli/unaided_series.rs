@@ -96,3 +96,76 @@ fn a_new_name_that_is_given_a_series_is_introduced() {
     let found = findings("new", "Let us write\n$$ V = a x + b x^2 + \\dots $$\n");
     assert_eq!(found[0].0, "definition", "{found:?}");
 }
+
+const HEAT: &str =
+    r"C = N k \left(\frac{\varepsilon}{k T}\right)^2 \frac{e^{\varepsilon/(k T)}}{(1+e^{\varepsilon/(k T)})^2}";
+
+/// The finding on an approximation after the formula of a heat capacity and these words.
+fn of_heat(words: &str, latex: &str) -> (String, String, Option<String>) {
+    findings("heat", &format!("The heat capacity is\n$$ {HEAT} $$\n{words}\n$$ {latex} $$\n")).remove(1)
+}
+
+#[test]
+fn what_is_nearly_equal_holds_in_a_limit_that_the_words_name() {
+    let (hot, cold) = (
+        r"C \approx \frac{N k}{4}\left(\frac{\varepsilon}{k T}\right)^2",
+        r"C \approx N k \left(\frac{\varepsilon}{k T}\right)^2 e^{-\varepsilon/(k T)}",
+    );
+    for (words, latex, end) in [
+        ("At high temperature", hot, "T → ∞"),
+        (r"For $\varepsilon \ll k T$ we have", hot, "ε → 0"),
+        ("Hence", hot, "T → ∞"),
+        ("At low temperature", cold, "T → 0"),
+    ] {
+        let (verdict, message, _) = of_heat(words, latex);
+        assert_eq!(verdict, "verified", "{words}: {message}");
+        assert!(message.ends_with(end), "{words}: {message}");
+    }
+    // must-fail cases: the other limit, and slips in the factor, the power and the sign
+    assert_ne!(of_heat("At low temperature", hot).0, "verified");
+    for (words, latex, repair) in [
+        ("At high temperature", hot.replace("{4}", "{2}"), "4"),
+        ("At high temperature", hot.replace(")^2", ")^3"), "2"),
+        ("Hence", hot.replace("{4}", "{8}"), "4"),
+        ("At low temperature", cold.replace("{-", "{"), "-"),
+    ] {
+        let (verdict, message, found) = of_heat(words, &latex);
+        assert_eq!((verdict.as_str(), found.as_deref()), ("refuted", Some(repair)), "{latex}: {message}");
+    }
+}
+
+#[test]
+fn a_sum_that_is_nearly_equal_holds_to_the_order_of_its_last_term() {
+    let found = |latex: &str| findings("sum", &format!("For small $x$\n$$ {latex} $$\n")).remove(0);
+    assert_eq!(found(r"\ln(1+x) \approx x - \frac{x^2}{2}").0, "verified");
+    let (verdict, _, repair) = found(r"\ln(1+x) \approx x - \frac{x^2}{3}");
+    assert_eq!((verdict.as_str(), repair.as_deref()), ("refuted", Some("2")));
+}
+
+/// ≈ may rest on numbers, hold near a value, or be rough.
+#[test]
+fn what_holds_in_no_limit_is_left_open() {
+    for (words, latex) in [
+        ("We have", r"\ln 2 \approx \frac{7}{10}"),
+        ("We have", r"F \approx m g"),
+        ("Near the resonance", r"\omega_0^2 - \omega^2 \approx 2\omega_0(\omega_0 - \omega)"),
+        ("Close to one", r"x^2 - 1 \approx 2(x - 1)"),
+        ("For the nearly equal masses", r"\frac{m M}{m + M} \approx \frac{m}{2}"),
+        ("This is", r"\sqrt{m M} \approx \frac{m + M}{2}"),
+        ("For the angles near a right one", r"\cos\theta \approx \frac{\pi}{2} - \theta"),
+        ("A rough estimate at small $x$ is", r"\frac{x}{1 + x} \approx 2 x"),
+        (
+            r"For $\omega_1 \ll \omega \ll \omega_2$",
+            r"\frac{\omega^2}{\omega^2 + \omega_1^2} + \frac{\omega^2}{\omega_2^2} \approx \frac{\omega^2}{2\omega_2^2}",
+        ),
+    ] {
+        let found = findings("open", &format!("{words}\n$$ {latex} $$\n")).remove(0);
+        assert_ne!(found.0, "refuted", "{latex}: {found:?}");
+    }
+}
+
+#[test]
+fn an_integrand_without_its_letter_is_no_constant() {
+    let notes = "With\n$$ m = m_0 - b t $$\nwe integrate,\n$$ \\int_0^t \\ln\\frac{m_0}{m}\\,dt' = \\frac1b\\int_m^{m_0}\\ln\\frac{m_0}{m'}\\,dm'. $$\n";
+    assert_ne!(findings("hidden", notes)[1].0, "refuted");
+}

@@ -218,10 +218,8 @@ impl Course<'_, '_> {
             let is_supposed = prose::before(self.checker.notes, at).announced == Announced::Assumption;
             return Ok(if is_supposed { gate::as_it_counts(found) } else { found });
         }
-        if found.finding.verdict == Verdict::Refuted
-            && let Some(why) = self.unclear(at)
-        {
-            return Ok(gate::left_open(found, why));
+        if found.finding.verdict == Verdict::Refuted && self.lost_derivative(at) {
+            return Ok(gate::left_open(found));
         }
         if let Some(nearly) = self.nearly(at, &found)? {
             return Ok(nearly);
@@ -262,7 +260,7 @@ impl Course<'_, '_> {
                 return Ok(gate::as_it_counts(found));
             }
         }
-        if self.rests_on_doubt(at) {
+        if self.rests_on_doubt(at) || self.hides_a_letter(at) {
             self.take_for_granted(at);
             return Ok(gate::as_it_counts(found));
         }

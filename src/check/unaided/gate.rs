@@ -206,8 +206,9 @@ pub(super) fn lost_derivative(reading: &Reading, display: &Display, macros: &Mac
     is_lost
 }
 
-/// The equation as it counts where it was read otherwise than it was meant.
-pub(super) fn left_open(equation: Equation, message: &str) -> Equation {
+/// The equation as it counts where a derivative is one of an unknown formula.
+pub(super) fn left_open(equation: Equation) -> Equation {
+    let message = "no display before gives the formula that is differentiated here, so this was not decided";
     let finding = Finding::new(Code::NotDecided, Verdict::Undecided, equation.finding.span, message);
     Equation { finding, parts: Vec::new(), repairs: Vec::new(), elsewhere: Vec::new(), ok: true, ..equation }
 }

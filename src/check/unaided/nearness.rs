@@ -108,17 +108,10 @@ impl Course<'_, '_> {
         relations.into_iter().all(|(relation, _)| *relation == Relation::Approximately)
     }
 
-    /// Why a display that fails may have been read otherwise than it was meant.
-    pub(super) fn unclear(&self, at: usize) -> Option<&'static str> {
+    /// Whether nothing says how an integrand of a display depends on the letter of its integral.
+    pub(super) fn hides_a_letter(&self, at: usize) -> bool {
         let checker = self.checker;
-        let hides = || integrands::hides_its_letter(&checker.notes.equations[at].text, &checker.model.macros);
-        if self.lost_derivative(at) {
-            Some("no display before gives the formula that is differentiated here, so this was not decided")
-        } else if hides() {
-            Some("nothing says how an integrand depends on the letter of its integral, so this was not decided")
-        } else {
-            None
-        }
+        integrands::hides_its_letter(&checker.notes.equations[at].text, &checker.model.macros)
     }
 
     /// The finding on a display with ≈ for which nothing says when it holds, if it holds in a limit, or is a slip away from that.
@@ -331,12 +324,10 @@ fn named(sentence: &str, symbols: &[SymbolId], name: impl Fn(SymbolId) -> String
     for (before, formula) in pieces.iter().zip(pieces.iter().skip(1)).step_by(2) {
         for (sign, left_is_large) in [("\\ll", false), ("\\gg", true)] {
             let Some((left, right)) = formula.split_once(sign) else { continue };
-            for id in symbols {
-                let has = |side: &str| has_name(&bare(side), &bare(&name(*id)));
-                match (has(left), has(right)) {
-                    (true, false) => note(*id, left_is_large),
-                    (false, true) => note(*id, !left_is_large),
-                    _ => {}
+            let has = |side: &str, id: SymbolId| has_name(&bare(side), &bare(&name(id)));
+            for (side, other, is_large) in [(left, right, left_is_large), (right, left, !left_is_large)] {
+                for id in symbols.iter().filter(|id| has(side, **id) && !has(other, **id)) {
+                    note(*id, is_large);
                 }
             }
         }

@@ -191,7 +191,7 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
     let compares = ["\\ll", "\\gg", "\\to"].iter().any(|sign| sentence.contains(sign));
     let is_nearness = |word: &&str| NEARNESS.contains(word) || compares && CONDITION.contains(word);
     let only_nearness = announced == Announced::Assumption
-        && ASSUMPTION.iter().filter(|word| has_word(&sentence, word)).all(|word| is_nearness(&word));
+        && ASSUMPTION.iter().filter(|word| has_word(&sentence, word)).all(is_nearness);
     Words { announced, only_nearness, other_case: says(&OTHER_CASE), named: cited(notes, at, all), connected }
 }
 

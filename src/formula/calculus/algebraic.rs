@@ -190,6 +190,23 @@ fn positive(
     }
 }
 
+/// The same where the rule does not depend on the sign of A, which may be a letter's: between two numbers it is enough that Ax²+C
+/// is positive at both, and C is.
+fn positive_between(
+    build: Build,
+    parts: (&Expr, &Expr, &Expr),
+    p: Ratio,
+    ring: In,
+    ends: (&End, &End),
+) -> Result<Vec<Guard>, NoFormula> {
+    let (square, constant, base) = parts;
+    let (End::At(lower), End::At(upper), None) = (ends.0, ends.1, rational(square)) else {
+        return positive(build, parts, p, ring, ends);
+    };
+    let above = [constant.clone(), placed(ring, base, lower), placed(ring, base, upper)];
+    Ok(above.into_iter().map(|above| Guard { above, below: build.whole(0) }).collect())
+}
+
 /// ∫x(Ax²+C)^p
 fn of_inner_derivative(
     build: Build,
@@ -199,7 +216,7 @@ fn of_inner_derivative(
     ends: (&End, &End),
 ) -> Result<Expr, NoFormula> {
     let (square, _, base) = parts;
-    let guards = positive(build, parts, p, ring, ends)?;
+    let guards = positive_between(build, parts, p, ring, ends)?;
     let two = build.product(vec![build.whole(2), square.clone()]);
     let value = match p == Ratio::whole(-1) {
         true => {
@@ -226,7 +243,10 @@ fn of_quadratic(
     ends: (&End, &End),
 ) -> Result<Expr, NoFormula> {
     let (square, constant, base) = parts;
-    let guards = positive(build, parts, p, ring, ends)?;
+    let guards = match p {
+        Ratio { numerator: -3, denominator: 2 } => positive_between(build, parts, p, ring, ends)?,
+        _ => positive(build, parts, p, ring, ends)?,
+    };
     let is_concave = rational(square).is_some_and(|square| square.numerator < 0);
     let signed = |is_up: bool, value: Expr| if is_up { value } else { build.negative(value) };
     let half = Ratio { numerator: -1, denominator: 2 };

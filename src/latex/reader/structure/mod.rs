@@ -50,7 +50,7 @@ impl Reader<'_> {
     }
 
     /// What is shown as it is printed.
-    pub(super) fn label(&mut self, items: &[Item], span: Span) -> Expr {
+    pub(in super::super) fn label(&mut self, items: &[Item], span: Span) -> Expr {
         let text = printed(items);
         self.template(&text, Vec::new(), span)
     }

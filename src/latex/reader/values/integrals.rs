@@ -63,7 +63,7 @@ impl Reader<'_> {
         let found = integral(&body, bound.id, (&ends.0, &ends.1), span);
         match found {
             Ok(formula) => Ok(Some(as_step(formula))),
-            Err(reason) => by_quadrature(&body, bound.id, ends, span)
+            Err(reason) => by_quadrature(&body, (bound.id, &self.symbols.entry(bound.id).name.to_string()), ends, span)
                 .filter(|_| reason == NoFormula::Unknown)
                 .map(Some)
                 .ok_or_else(|| refused(reason, sign.span.to(span))),
@@ -168,7 +168,12 @@ fn count_of_d(items: &[Item]) -> usize {
 }
 
 /// An integral whose value is found by quadrature. One inside it that contains its letter would take too long.
-fn by_quadrature(body: &Expr, letter: SymbolId, (lower, upper): (End, End), span: Span) -> Option<Expr> {
+fn by_quadrature(
+    body: &Expr,
+    (letter, name): (SymbolId, &str),
+    (lower, upper): (End, End),
+    span: Span,
+) -> Option<Expr> {
     let mut is_double = false;
     body.walk(&mut |part| is_double |= matches!(part.node, Node::Definite(_)) && depends_on(part, letter));
     let place = |end: End| match end {
@@ -179,8 +184,13 @@ fn by_quadrature(body: &Expr, letter: SymbolId, (lower, upper): (End, End), span
     if is_double || is_backwards || place(lower.clone()).is_none() && lower == upper {
         return None;
     }
-    let own = Expr::new(Node::Letter(letter), span);
-    let of = Definite { letter, lower: place(lower), upper: place(upper), integrand: at(body, letter, &own) };
+    let own = Expr::new(Node::Letter(name.to_owned()), span);
+    let of = Definite {
+        letter: name.to_owned(),
+        lower: place(lower),
+        upper: place(upper),
+        integrand: at(body, letter, &own),
+    };
     Some(Expr::new(Node::Definite(Box::new(of)), span))
 }
 

@@ -12,11 +12,14 @@ impl Reader<'_> {
     /// The term that stands for terms which are left out, if it is one.
     pub(in super::super) fn rest(&mut self, items: &[Item]) -> Read<Option<Expr>> {
         let mut significant = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
-        let (Some(Item { layout: Layout::Rest(order), span }), None) = (significant.next(), significant.next()) else {
-            return Ok(None);
-        };
+        let (Some(item), None) = (significant.next(), significant.next()) else { return Ok(None) };
+        let Item { layout: Layout::Rest(order), span } = item else { return Ok(None) };
+        // For reading only it may stand beside vectors and operators.
+        if self.symbols.open {
+            return Ok(Some(self.label(std::slice::from_ref(item), *span)));
+        }
         let Some(order) = order else { return Ok(Some(Expr::new(Node::Rest(Vec::new()), *span))) };
-        if self.symbols.find(&Name::plain("O")).is_some() && !self.symbols.open {
+        if self.symbols.find(&Name::plain("O")).is_some() {
             return Err(Fault::ambiguous(*span, "O may be an order or the declared symbol").help("rename the symbol O"));
         }
         let order = self.sum(order, *span)?;
