@@ -58,6 +58,17 @@ fn a_line_may_speak_of_the_instant_at_which_a_speed_is_reached() {
 }
 
 #[test]
+fn a_way_and_a_speed_may_be_functions_of_the_time_from_rest() {
+    let of = |name: &str, lines: &str| marks(name, DISC, lines);
+    let lines = "$$ y = \\frac13 gt^2 $$\n\n$$ h = \\frac13 gt^2 $$\n\n$$ \\dot y = \\frac23 gt $$\n";
+    assert_eq!(of("from-rest", lines), ["right", "given", "right"]);
+    // The twins: other accelerations.
+    let lines = "$$ y = \\frac23 gt^2 $$\n\n$$ h = \\frac23 gt^2 $$\n\n$$ \\dot y = \\frac13 gt $$\n";
+    let wrong = of("from-rest-wrong", lines);
+    assert!(wrong.iter().all(|mark| mark == "wrong" || mark == "carried"), "{wrong:?}");
+}
+
+#[test]
 fn a_letter_of_the_problem_may_be_another_of_its_quantities() {
     let lines = |more: &str| {
         format!(

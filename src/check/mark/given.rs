@@ -95,7 +95,8 @@ pub(super) fn up_to_initial_values(
 /// initial values alone decide on it. Of several velocities it is 1, as for a momentum, and of several coordinates 2, as for
 /// a center of mass. A single one of these would be given a value, unless it is by the time.
 fn about_motion(checker: &Checker<'_>, formula: &Expr) -> Option<u8> {
-    let (mut place, mut velocity, mut timed) = (false, false, false);
+    let (mut place, mut velocity) = (false, false);
+    let timed = formula.symbols().iter().any(|(id, _)| is_time(checker, *id));
     let mut moving: Vec<SymbolId> = Vec::new();
     let is_known = formula.symbols().into_iter().all(|(id, dots)| match checker.model.meaning(id) {
         Some(Meaning::Coordinate(_) | Meaning::Varying(_)) => {
@@ -105,13 +106,11 @@ fn about_motion(checker: &Checker<'_>, formula: &Expr) -> Option<u8> {
             dots <= 1
         }
         Some(Meaning::Constant(_)) => dots == 0,
-        Some(Meaning::Time) => {
-            timed = true;
-            dots == 0
-        }
+        Some(Meaning::Time) => dots == 0,
         Some(Meaning::Defined(_)) => {
             let name = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
-            dots == 0 && !varies(checker, &name)
+            // An acceleration that the laws make constant: `x = \frac12 a t^2`.
+            dots == 0 && (timed || !varies(checker, &name))
         }
         _ => false,
     });

@@ -190,7 +190,12 @@ pub(super) fn skipped(text: &str, from: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::super::plain;
+    use crate::latex::Macros;
+    use crate::latex::rename::renamed;
+
+    fn plain(text: &str) -> String {
+        renamed(text, &Macros::default(), &std::collections::HashMap::new()).text
+    }
 
     #[test]
     fn a_number_with_a_unit_is_its_number_in_units_of_the_si() {

@@ -35,7 +35,7 @@ impl Judge<'_, '_> {
 
     /// Whether a line that holds under a condition, among those nearest before an alternative, holds where the alternative does.
     pub(super) fn is_an_alternative(&self, at: usize) -> bool {
-        let text = &self.world.display(at).text;
+        let text = self.world.display(at).text.replace("\\equiv", "=");
         let members: Vec<&str> = text.split('=').collect();
         let [first, second, ..] = members.as_slice() else { return false };
         let display = self.world.first + at;
