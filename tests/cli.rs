@@ -25,6 +25,8 @@ mod init;
 mod mark;
 #[path = "cli/mark_motion.rs"]
 mod mark_motion;
+#[path = "cli/mark_states.rs"]
+mod mark_states;
 #[path = "cli/messages.rs"]
 mod messages;
 #[path = "cli/mutate.rs"]

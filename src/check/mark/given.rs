@@ -77,10 +77,11 @@ pub(super) fn up_to_initial_values(
         Reading { statements: vec![Ok(statement)], introduced: Vec::new() }
     };
     let rate = |pair: &[Expr]| {
-        if pair.iter().any(|side| side.as_plain_symbol().is_some()) {
+        let difference = expanded(checker, before, pair[0].clone().minus(pair[1].clone()));
+        let is_timed = difference.symbols().iter().any(|(id, _)| is_time(checker, *id));
+        if !is_timed && pair.iter().any(|side| side.as_plain_symbol().is_some()) {
             return None;
         }
-        let difference = expanded(checker, before, pair[0].clone().minus(pair[1].clone()));
         about_motion(checker, &difference).map(|order| {
             let span = difference.span;
             let rate = Expr::new(Node::TimeDerivative(order, Box::new(difference)), span);
@@ -92,9 +93,10 @@ pub(super) fn up_to_initial_values(
 
 /// Whether a formula has coordinates, velocities and constants, and nothing else: the order of its rate that vanishes if
 /// initial values alone decide on it. Of several velocities it is 1, as for a momentum, and of several coordinates 2, as for
-/// a center of mass. A single one of these would be given a value.
+/// a center of mass. A single one of these would be given a value, unless it is by the time.
 fn about_motion(checker: &Checker<'_>, formula: &Expr) -> Option<u8> {
     let (mut place, mut velocity) = (false, false);
+    let timed = formula.symbols().iter().any(|(id, _)| is_time(checker, *id));
     let mut moving: Vec<SymbolId> = Vec::new();
     let is_known = formula.symbols().into_iter().all(|(id, dots)| match checker.model.meaning(id) {
         Some(Meaning::Coordinate(_) | Meaning::Varying(_)) => {
@@ -104,20 +106,30 @@ fn about_motion(checker: &Checker<'_>, formula: &Expr) -> Option<u8> {
             dots <= 1
         }
         Some(Meaning::Constant(_)) => dots == 0,
+        Some(Meaning::Time) => dots == 0,
         Some(Meaning::Defined(_)) => {
             let name = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
-            dots == 0 && !varies(checker, &name)
+            // An acceleration that the laws make constant: `x = \frac12 a t^2`.
+            dots == 0 && (timed || !varies(checker, &name))
         }
         _ => false,
     });
     moving.dedup();
     match (place, velocity) {
         _ if !is_known => None,
+        // A function of the time: `x = \frac12 a t^2` from rest.
+        (true, true) if timed => None,
+        (true, false) if timed => Some(2),
+        (false, true) if timed => Some(1),
         (true, true) => Some(1),
         (false, true) if moving.len() > 1 => Some(1),
         (true, false) if moving.len() > 1 => Some(2),
         _ => None,
     }
+}
+
+fn is_time(checker: &Checker<'_>, id: SymbolId) -> bool {
+    matches!(checker.model.meaning(id), Some(Meaning::Time))
 }
 
 fn formula_has_undotted(formula: &Expr, id: SymbolId) -> bool {
@@ -190,6 +202,11 @@ impl Implied {
             let mut free = symbols.iter().filter(|(id, _)| is_free(*id));
             free.find_map(|(id, dots)| solved(checker, &difference, (*id, *dots)))
         })
+    }
+
+    /// The quantity.
+    pub fn symbol(&self) -> SymbolId {
+        self.id
     }
 
     /// The name of the quantity.

@@ -121,7 +121,9 @@ impl Motion {
         let [first, second] = statement.members.as_slice() else { return false };
         let constants: Vec<SymbolId> =
             second.symbols().into_iter().map(|(id, _)| id).filter(|id| later.contains(id)).collect();
-        let Some(name) = first.as_plain_symbol().filter(|_| !constants.is_empty()) else { return false };
+        if constants.is_empty() {
+            return false;
+        }
         let mut model = checker.model.clone();
         for id in constants {
             model.mean(id, Meaning::Constant(model.constants.len()));
@@ -129,7 +131,8 @@ impl Motion {
         }
         let free = Checker { model: &model, units: None, ..*checker };
         let moves = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
-        let formula = match model.meaning(name) {
+        let definition = first.as_plain_symbol().and_then(|name| model.meaning(name));
+        let formula = match definition {
             Some(Meaning::Defined(definition)) => definition.as_ref().clone(),
             _ => first.clone(),
         };

@@ -25,6 +25,8 @@ pub(super) struct Special {
     moving: Vec<Name>,
     /// Constant speeds, where one length moves: `v_1`, the value of `\dot y` at some instant.
     speeds: Vec<Name>,
+    /// Constants without which the laws are, but not the speeds: the way to the instant of a speed.
+    ways: Vec<Name>,
     /// Places of rest that have a name, each with the coordinate.
     places: Vec<(Name, Name)>,
     /// Whether the problem asks for small oscillations.
@@ -46,13 +48,23 @@ impl Special {
             is_named && !model.depends_on(formula, &moving) && !model.contains_time(formula)
         };
         let is_length = matches!(moving.as_slice(), [only] if !model.symbols.entry(*only).angle);
-        let speeds = model.symbols.iter().map(|(id, _)| id).filter(|id| is_length && is_speed(id));
+        let speeds: Vec<SymbolId> =
+            model.symbols.iter().map(|(id, _)| id).filter(|id| is_length && is_speed(id)).collect();
+        let laws = || model.laws.iter().flat_map(|law| &law.hypotheses).flat_map(|law| [&law.lhs, &law.rhs]);
+        let is_way = |id: &SymbolId| {
+            let symbol = |id| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
+            let is_constant = matches!(model.meaning(*id), Some(Meaning::Constant(_)));
+            let in_speed = || speeds.iter().any(|speed| model.depends_on(&symbol(*speed), &[*id]));
+            is_constant && in_speed() && laws().next().is_some() && !laws().any(|side| model.depends_on(side, &[*id]))
+        };
+        let ways = model.symbols.iter().map(|(id, _)| id).filter(is_way);
         let name = |id: SymbolId| model.symbols.entry(id).name.clone();
         let at =
             claims.equations.iter().filter(|(_, claim)| claim.equilibrium.is_some()).flat_map(|(_, claim)| &claim.at);
         let parsed = |text: &Spanned<String>| Some(names::parse(&text.value)?.0);
         Special {
-            speeds: speeds.map(name).collect(),
+            ways: ways.map(name).collect(),
+            speeds: speeds.iter().copied().map(name).collect(),
             moving: moving.into_iter().map(name).collect(),
             places: at.filter_map(|(of, place)| Some((parsed(of)?, parsed(place)?))).collect(),
             has_modes: claims.means.iter().any(|(_, meaning)| meaning.value == "normal frequency"),
@@ -87,6 +99,28 @@ impl Special {
             });
         }
         reading
+    }
+
+    /// A reading that says of the coordinate and its velocity what it says of the way and the speed at an instant; `None`, if it
+    /// speaks of neither.
+    pub fn at_all_times(&self, checker: &Checker<'_>, reading: &Reading) -> Option<Reading> {
+        let [moving] = self.moving.as_slice() else { return None };
+        let find = |name: &Name| Some(checker.model.symbols.find(name)?.0);
+        let (moving, mut any) = (find(moving)?, false);
+        let ids = |names: &[Name]| -> Vec<SymbolId> { names.iter().filter_map(find).collect() };
+        let (ways, speeds) = (ids(&self.ways), ids(&self.speeds));
+        let mut reading = reading.clone();
+        for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+            any |= member.symbols().iter().any(|(id, _)| ways.contains(id) || speeds.contains(id));
+            let span = member.span;
+            let rate = |dots| Some(Expr::new(Node::Symbol { id: moving, indices: Vec::new(), dots }, span));
+            member.substitute(&|node| match node {
+                Node::Symbol { id, dots: 0, .. } if ways.contains(id) => rate(0),
+                Node::Symbol { id, dots: 0, .. } if speeds.contains(id) => rate(1),
+                _ => None,
+            });
+        }
+        any.then_some(reading)
     }
 
     /// Places of rest that have a name, each with the coordinate.

@@ -104,7 +104,12 @@ fn terms(text: &str, side: Span) -> Vec<Span> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::plain;
+    use crate::latex::Macros;
+    use crate::latex::rename::renamed;
+
+    fn plain(text: &str) -> String {
+        renamed(text, &Macros::default(), &std::collections::HashMap::new()).text
+    }
 
     #[test]
     fn separated_differentials_are_rates() {

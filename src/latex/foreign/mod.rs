@@ -1,6 +1,6 @@
 //! What people write by hand that is read only here, since there it has one sense: a function of a parenthesis with a power,
-//! `\sin(x)^2`; functions of other languages; a number with a unit, `3\,\text{kg}`, or in degrees; a decimal comma; and words
-//! between statements.
+//! `\sin(x)^2`; functions of other languages; a number with a unit, `3\,\text{kg}`, or in degrees; a decimal comma; words
+//! between statements; what a slash divides; separated differentials; and the sum of all forces.
 
 mod differentials;
 mod slashes;
@@ -147,15 +147,14 @@ fn power_moved(text: &str, from: usize) -> Option<[(Span, String); 2]> {
     Some([(Span::new(from, from), text[span.range()].to_owned()), (span, String::new())])
 }
 
-/// A text made readable.
-#[cfg(test)]
-fn plain(text: &str) -> String {
-    crate::latex::rename::renamed(text, &crate::latex::Macros::default(), &std::collections::HashMap::new()).text
-}
-
 #[cfg(test)]
 mod tests {
-    use super::plain;
+    use crate::latex::Macros;
+    use crate::latex::rename::renamed;
+
+    fn plain(text: &str) -> String {
+        renamed(text, &Macros::default(), &std::collections::HashMap::new()).text
+    }
 
     #[test]
     fn the_sum_of_all_forces_is_a_name() {

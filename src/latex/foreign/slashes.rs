@@ -164,7 +164,12 @@ fn is_letter(command: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::plain;
+    use crate::latex::Macros;
+    use crate::latex::rename::renamed;
+
+    fn plain(text: &str) -> String {
+        renamed(text, &Macros::default(), &std::collections::HashMap::new()).text
+    }
 
     #[test]
     fn a_slash_in_an_exponent_divides_by_the_whole_product() {

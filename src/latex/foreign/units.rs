@@ -55,11 +55,14 @@ pub(super) fn numbers(text: &str) -> Vec<Span> {
         }
         let length = bytes[at..].iter().take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count();
         let before = text[..at].trim_end_matches('{');
-        if !before.ends_with(['_', '^']) && !before.ends_with(|c: char| c.is_ascii_alphabetic()) {
-            found.push(Span::new(at, at + length));
-        } else if before.ends_with('^') && before.trim_end_matches(['^', '-']).ends_with("10") {
+        let below = before.trim_end_matches('-').trim_end_matches('{');
+        if let Some(base) = below.strip_suffix('^') {
             // `10^3` and `10^{-3}` end a number.
-            found.push(Span::new(at, at + length + usize::from(text[at + length..].starts_with('}'))));
+            if base.ends_with("10") {
+                found.push(Span::new(at, at + length + usize::from(text[at + length..].starts_with('}'))));
+            }
+        } else if !before.ends_with('_') && !before.ends_with(|c: char| c.is_ascii_alphabetic()) {
+            found.push(Span::new(at, at + length));
         }
         at += length;
     }
@@ -187,7 +190,12 @@ pub(super) fn skipped(text: &str, from: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::super::plain;
+    use crate::latex::Macros;
+    use crate::latex::rename::renamed;
+
+    fn plain(text: &str) -> String {
+        renamed(text, &Macros::default(), &std::collections::HashMap::new()).text
+    }
 
     #[test]
     fn a_number_with_a_unit_is_its_number_in_units_of_the_si() {
@@ -195,6 +203,7 @@ mod tests {
         assert_eq!(plain(r"g = 9.81\,\frac{\text{m}}{\text{s}^2}"), "g = 9.81");
         assert_eq!(plain(r"g = 9.81\ \mathrm{m\,s^{-2}}"), "g = 9.81");
         assert_eq!(plain(r"l = 30\,\text{cm} + x"), r"l = 30 \cdot 10^{-2} + x");
+        assert_eq!(plain(r"C = 3 \cdot 10^{-6}\,\text{F}"), r"C = 3 \cdot 10^{-6}");
         assert_eq!(plain(r"v = 2~\text{km}/\text{s}"), r"v = 2 \cdot 10^{3}");
         assert_eq!(plain(r"\alpha = 60^\circ"), r"\alpha = \frac{60 \pi}{180}");
         // The twins: no unit, no number, a subscript.

@@ -29,6 +29,9 @@ pub(in crate::check::mark) const FEWEST: usize = 3;
 /// The number of true lines that may stand beside a false one, the nearest.
 const BESIDE: usize = 5;
 
+/// The number of true lines from which a line may follow under a condition, the nearest.
+const FARTHEST: usize = 12;
+
 /// Whether a link holds at states of a model that obey hypotheses; `None`, if there are too few.
 pub(in crate::check::mark) fn holds(
     checker: &Checker<'_>,
@@ -147,6 +150,35 @@ pub(in crate::check::mark) fn follows(
     !names.is_empty() && sets.iter().any(|set| holds_all(&open, set))
 }
 
+/// Whether an equation of motion holds where a line says what a coordinate is at all times: `Q = C U_0` in
+/// `R C \dot Q = C U_0 - Q`. Both are displays.
+pub(in crate::check::mark) fn solves_at_rest(checker: &Checker<'_>, line: usize, motion: usize) -> bool {
+    let (own, motion) = (&checker.readings[line], &checker.readings[motion]);
+    let (Some(own), [Ok(statement)], Some(motion)) =
+        (links(checker, own), own.statements.as_slice(), links(checker, motion))
+    else {
+        return false;
+    };
+    let moves =
+        |id: &SymbolId| matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
+    let Some(id) = statement.members.first().and_then(Expr::as_plain_symbol).filter(moves) else { return false };
+    let rate = |dots| {
+        let rate = Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, statement.span);
+        checker.link(&rate, Relation::Equal, &Expr::integer(0, statement.span))
+    };
+    let rates = [rate(1), rate(2)].into_iter().flatten();
+    let premises: Vec<Hypothesis> = own.into_iter().chain(rates).map(|link| Hypothesis::of(link, false)).collect();
+    let model = checker.without_system(false).model;
+    motion.iter().all(|link| {
+        let has_rate = [&link.lhs, &link.rhs]
+            .iter()
+            .any(|side| side.symbols().iter().any(|(other, dots)| *other == id && *dots > 0));
+        has_rate
+            && holds(checker, &model, &beside_one(checker, link), &premises) == Some(true)
+            && holds(checker, &model, link, &[]) == Some(false)
+    })
+}
+
 /// Whether a line follows from a condition and one of the true lines before it, by algebra alone.
 pub(in crate::check::mark) fn follows_under(
     checker: &Checker<'_>,
@@ -156,7 +188,7 @@ pub(in crate::check::mark) fn follows_under(
 ) -> bool {
     let (Some(condition), Some(own)) = (links(checker, condition), links(checker, own)) else { return false };
     let model = checker.without_system(false).model;
-    let near = sound.iter().rev().take(BESIDE).filter_map(|at| links(checker, &checker.readings[*at]));
+    let near = sound.iter().rev().take(FARTHEST).filter_map(|at| links(checker, &checker.readings[*at]));
     near.into_iter().any(|known| {
         let premises = |with: &[Link]| -> Vec<Hypothesis> {
             with.iter().chain(&known).map(|link| Hypothesis::of(link.clone(), false)).collect()

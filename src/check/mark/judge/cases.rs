@@ -1,12 +1,14 @@
 //! Cases that a condition leaves, conclusions under a condition, and values at instants.
 
-use crate::formula::{Expr, Node, SymbolId};
+use crate::formula::{Expr, Node, Statement, SymbolId};
 use crate::latex::Reading;
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
 
 use crate::check::mark::carried::numbers;
+use crate::check::mark::given::{self, Implied};
 use crate::check::mark::marked::{Line, Mark};
+use crate::check::mark::motion::Along;
 use crate::check::mark::status::{Status, stated, status};
 use crate::check::model::claim::is_equality;
 use crate::check::verdict::Verdict;
@@ -33,7 +35,7 @@ impl Judge<'_, '_> {
 
     /// Whether a line that holds under a condition, among those nearest before an alternative, holds where the alternative does.
     pub(super) fn is_an_alternative(&self, at: usize) -> bool {
-        let text = &self.world.display(at).text;
+        let text = self.world.display(at).text.replace("\\equiv", "=");
         let members: Vec<&str> = text.split('=').collect();
         let [first, second, ..] = members.as_slice() else { return false };
         let display = self.world.first + at;
@@ -47,6 +49,9 @@ impl Judge<'_, '_> {
         let before = (at.saturating_sub(CASES)..at).rev().filter(|before| is_open(&self.lines[*before]));
         rest.is_none_or(|rest| matches!(self.status(display, &rest).0, Status::Holds(_)))
             && before.into_iter().any(|before| {
+                if numbers::solves_at_rest(self.quiet, self.world.first + at, self.world.first + before) {
+                    return true;
+                }
                 let own = &self.premises[self.world.first + before];
                 let holds_anyway = || matches!(status(self.quiet, display, own, &none), Status::Holds(_));
                 stated(own).is_none() && !holds_anyway() && holds(own)
@@ -70,6 +75,39 @@ impl Judge<'_, '_> {
         let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
         let is_unknown = |id: SymbolId| self.instants.iter().any(|(known, value)| *known == id && value.is_none());
         members().any(|member| member.symbols().iter().any(|(id, _)| is_unknown(*id)))
+    }
+
+    /// Whether a line is true up to a constant that an initial value makes 0.
+    pub(super) fn is_up_to_initial_values(&self, display: usize, reading: &Reading) -> bool {
+        let of_problem = self.world.problem.notes.equations.len();
+        let holds = |reading: &Reading| matches!(self.status(display, reading).0, Status::Holds(_));
+        let equalities = given::up_to_initial_values(self.quiet, of_problem, reading);
+        let stays = |rate: &Option<Reading>| rate.as_ref().is_some_and(holds);
+        // Where the initial values are known, they do not make it true.
+        let fails = || self.along(self.quiet, display, reading, &Claim::default()) == Along::False;
+        !equalities.is_empty() && !fails() && equalities.iter().all(|(equality, rate)| stays(rate) || holds(equality))
+    }
+
+    /// Whether a line with two signs holds with one of them.
+    pub(super) fn has_a_true_sign(&self, display: usize, reading: &Reading) -> bool {
+        let holds = |statement: &Statement| {
+            let alone = Reading { statements: vec![Ok(statement.clone())], introduced: Vec::new() };
+            matches!(self.status(display, &alone).0, Status::Holds(_))
+        };
+        reading.statements.len() == 2 && reading.statements.iter().flatten().any(holds)
+    }
+
+    /// Whether a chain that holds ends with a name for its last member, as `I = \dot Q =: I_0 e^{-t/(RC)}` does.
+    pub(super) fn names_the_last(&self, display: usize, reading: &Reading, implied: &Implied) -> bool {
+        let [Ok(statement)] = reading.statements.as_slice() else { return false };
+        let Some((last, others)) = statement.members.split_last().filter(|(_, others)| others.len() > 1) else {
+            return false;
+        };
+        let is_it = |member: &Expr| member.symbols().iter().any(|(id, _)| *id == implied.symbol());
+        let (members, relations) = (others.to_vec(), statement.relations[..others.len() - 1].to_vec());
+        let rest = Statement { members, relations, ..statement.clone() };
+        let rest = Reading { statements: vec![Ok(rest)], introduced: Vec::new() };
+        is_it(last) && !others.iter().any(is_it) && matches!(self.status(display, &rest).0, Status::Holds(_))
     }
 
     /// The name of the last condition, if a line follows from it and from a true line before it.

@@ -216,7 +216,7 @@ impl Judge<'_, '_> {
         }
         if let Some(implied) = Implied::by(self.quiet, &self.world.declared, reading)
             && self.gives(display, reading, &implied)
-            && !(self.details && self.is_slip(at)?)
+            && (self.names_the_last(display, reading, &implied) || !(self.details && self.is_slip(at)?))
         {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = format!("defines {}, which the problem does not have", implied.name(self.quiet));
@@ -249,6 +249,11 @@ impl Judge<'_, '_> {
             line.because = "says where the problem can be at rest".to_owned();
             return Ok(());
         }
+        if self.world.display(at).text.contains("\\pm") && self.has_a_true_sign(display, reading) {
+            (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
+            line.because = "true with one of the two signs".to_owned();
+            return Ok(());
+        }
         let is_alternative =
             written.is_alternative || self.world.written.get(at + 1).is_some_and(|next| next.is_alternative);
         if is_alternative && self.is_an_alternative(at) {
@@ -262,13 +267,9 @@ impl Judge<'_, '_> {
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
             return Ok(());
         }
-        let of_problem = self.world.problem.notes.equations.len();
-        let holds = |reading: &Reading| matches!(self.status(display, reading).0, Status::Holds(_));
-        let equalities = given::up_to_initial_values(self.quiet, of_problem, reading);
-        let stays = |rate: &Option<Reading>| rate.as_ref().is_some_and(holds);
-        // Where the initial values are known, they do not make it true.
-        let fails = self.along(self.quiet, display, reading, &Claim::default()) == Along::False;
-        if !fails && !equalities.is_empty() && equalities.iter().all(|(equality, rate)| stays(rate) || holds(equality))
+        let in_general = self.world.problem.special.at_all_times(self.quiet, reading);
+        if self.is_up_to_initial_values(display, reading)
+            || in_general.is_some_and(|reading| self.is_up_to_initial_values(display, &reading))
         {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = "true up to a constant, which an initial value makes 0".to_owned();

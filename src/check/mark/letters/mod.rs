@@ -85,12 +85,20 @@ pub(in crate::check::mark) fn best(
 /// The letters, and the names with primes: rates of what varies, where the problem itself has no such names.
 fn with_primes(used: &[Usage], known: &Names, table: &Letters) -> Letters {
     let mut all = table.clone();
+    let has_primed_rates = used.iter().filter(|usage| usage.name.primes > 0).any(|usage| {
+        let plain = Name { primes: 0, ..usage.name.clone() };
+        let of = table.get(&plain).map_or(&plain, |other| &other.name);
+        known.names.iter().any(|(name, role, _)| name == of && *role == Role::Moving)
+    });
     for usage in used.iter().filter(|usage| usage.name.primes > 0 && known.symbols.find(&usage.name).is_none()) {
         let plain = Name { primes: 0, ..usage.name.clone() };
         let own = StandsFor { name: plain.clone(), dots: 0 };
         let of = table.get(&plain).unwrap_or(&own);
         let dots = of.dots.saturating_add(usage.name.primes);
-        let varies = |(name, role, _): &(Name, Role, bool)| *name == of.name && *role != Role::Constant;
+        // After a change of the motion a' is another acceleration, where no prime of a coordinate says otherwise.
+        let varies = |(name, role, _): &(Name, Role, bool)| {
+            *name == of.name && (*role == Role::Moving || *role == Role::Determined && has_primed_rates)
+        };
         if dots <= 2 && known.names.iter().any(varies) {
             all.insert(usage.name.clone(), StandsFor { name: of.name.clone(), dots });
         }
