@@ -287,6 +287,18 @@ impl Reader<'_> {
         if has_nabla(inside.iter().copied()) {
             return Ok(());
         }
+        // `U_0(1 - x/a)`, `V_0(x - a)^2`: a value, and no function of a number.
+        let is_number = |item: &&&Item| matches!(item.layout, Layout::Number(_));
+        let is_near = |item: Option<&&&Item>| item.is_none_or(|item| self.is_sign(item));
+        let has_number = (0..inside.len()).any(|at| {
+            let before = at.checked_sub(1).and_then(|before| inside.get(before));
+            inside.get(at).filter(|item| is_number(&item)).is_some()
+                && is_near(before.as_ref())
+                && is_near(inside.get(at + 1).as_ref())
+        });
+        if name.subscript == ["0"] && name.primes == 0 && inside.len() > 1 && (has_number || is_powered) {
+            return Ok(());
+        }
         // `P_0 \left(\frac{T}{T_0}\right)^\chi`: a value to which a power of a ratio is a factor.
         let is_ratio = matches!(inside.as_slice(), [Item { layout: Layout::Fraction(..), .. }]);
         if is_powered && is_ratio && !name.subscript.is_empty() && name.primes == 0 {
