@@ -288,14 +288,8 @@ impl Reader<'_> {
             return Ok(());
         }
         // `U_0(1 - x/a)`, `V_0(x - a)^2`: a value, and no function of a number.
-        let is_number = |item: &&&Item| matches!(item.layout, Layout::Number(_));
-        let is_near = |item: Option<&&&Item>| item.is_none_or(|item| self.is_sign(item));
-        let has_number = (0..inside.len()).any(|at| {
-            let before = at.checked_sub(1).and_then(|before| inside.get(before));
-            inside.get(at).filter(|item| is_number(&item)).is_some()
-                && is_near(before.as_ref())
-                && is_near(inside.get(at + 1).as_ref())
-        });
+        let terms: Vec<&[&Item]> = inside.split(|item| self.is_sign(item)).collect();
+        let has_number = terms.iter().any(|term| matches!(term, [Item { layout: Layout::Number(_), .. }]));
         if name.subscript == ["0"] && name.primes == 0 && inside.len() > 1 && (has_number || is_powered) {
             return Ok(());
         }
