@@ -99,8 +99,8 @@ struct Evidence {
     /// The functions, each with its arguments as they are printed where they are names.
     functions: Vec<(Name, Option<String>)>,
     primed: Vec<Name>,
-    /// Names that usually are functions before a parenthesis, and what stands in it.
-    possible: Vec<(Name, Vec<String>)>,
+    /// Names before a parenthesis, whether they usually are functions there, and the names in it.
+    possible: Vec<(Name, bool, Vec<String>)>,
     letters: Vec<Name>,
     differentials: Marks,
     variations: Marks,
@@ -108,15 +108,20 @@ struct Evidence {
 }
 
 impl Evidence {
-    /// `f(x - ct)` beside `u(x, t)`: what stands in the parenthesis is the argument of another function.
+    /// `f(x - ct)` beside `u(x, t)`: what stands in the parenthesis is the argument of another function. `S_2(E - E_1)` beside
+    /// `S_1(E_1)`: the letter is one of a function, and the place is its own.
     fn at_the_same_place(&mut self) {
         let mut places: Vec<String> = Vec::new();
         for arguments in self.functions.iter().filter_map(|(_, arguments)| arguments.as_ref()) {
             places.extend(arguments.split(", ").map(str::to_owned));
         }
-        for (name, inside) in std::mem::take(&mut self.possible) {
+        for (name, is_usual, inside) in std::mem::take(&mut self.possible) {
             let is_new = self.functions.iter().all(|(known, _)| *known != name);
-            if is_new && inside.iter().any(|letter| places.contains(letter)) {
+            let is_another = || {
+                let is_it = |(known, _): &(Name, _)| known.base == name.base && !known.subscript.is_empty();
+                !name.subscript.is_empty() && self.functions.iter().any(is_it)
+            };
+            if is_new && inside.iter().any(|letter| places.contains(letter)) && (is_usual || is_another()) {
                 self.functions.push((name, None));
             }
         }
@@ -209,11 +214,11 @@ impl Evidence {
             self.primed.push(name.clone());
         }
         let Some((delimiter, inside)) = next.and_then(fence) else { return };
-        let usual = ["f", "G", "u", "\\psi", "\\Psi"].contains(&name.base.as_str()) && delimiter == Delimiter::Round;
-        if usual {
+        let is_usual = ["f", "G", "u", "\\psi", "\\Psi", "\\Omega"].contains(&name.base.as_str());
+        if delimiter == Delimiter::Round {
             let inside =
                 inside.iter().filter_map(|item| names::printed(item, None)).map(|found| found.name.to_string());
-            self.possible.push((name.clone(), inside.collect()));
+            self.possible.push((name.clone(), is_usual, inside.collect()));
         }
         let arguments: Vec<&[Item]> = inside.split(is_comma).collect();
         let never = ["\\pi", "\\hbar", "\\Delta", "\\delta", "d", "\\mathrm{d}", "e", "\\mathrm{e}", "\\epsilon"];

@@ -110,7 +110,7 @@ pub fn tokens(text: &str) -> Vec<Token> {
                 in_norm = !in_norm;
                 TokenKind::Command("\\|".to_owned())
             }
-            '~' => TokenKind::Space(Space::Thin),
+            '~' => thin(&tokens),
             '\\' => match chars.peek().copied() {
                 Some((_, letter)) if letter.is_ascii_alphabetic() => {
                     while let Some((at, letter)) = chars.next_if(|(_, c)| c.is_ascii_alphabetic()) {
@@ -118,7 +118,7 @@ pub fn tokens(text: &str) -> Vec<Token> {
                     }
                     match &text[start + 1..end] {
                         "quad" | "qquad" => TokenKind::Space(Space::Wide),
-                        "thinspace" | "enspace" => TokenKind::Space(Space::Thin),
+                        "thinspace" | "enspace" => thin(&tokens),
                         "negthinspace" => continue,
                         "cr" | "newline" => TokenKind::Row,
                         name if IGNORED.contains(&name) => continue,
@@ -134,13 +134,7 @@ pub fn tokens(text: &str) -> Vec<Token> {
                             while chars.next_if(|(at, _)| *at < end).is_some() {}
                             TokenKind::Row
                         }
-                        // Three thin spaces are as wide as a `\quad`.
-                        ',' | ';' | ':' | '>' | ' ' | '\n' | '\t' => TokenKind::Space(match tokens.as_slice() {
-                            [.., a, b] if [a, b].iter().all(|token| matches!(token.kind, TokenKind::Space(_))) => {
-                                Space::Wide
-                            }
-                            _ => Space::Thin,
-                        }),
+                        ',' | ';' | ':' | '>' | ' ' | '\n' | '\t' => thin(&tokens),
                         '!' | '/' => continue,
                         symbol => TokenKind::Command(format!("\\{symbol}")),
                     }
@@ -168,6 +162,15 @@ pub fn tokens(text: &str) -> Vec<Token> {
         tokens.push(Token { kind, span: Span::new(start, end) });
     }
     tokens
+}
+
+/// A thin space after these tokens; three of them are as wide as a `\quad`.
+fn thin(before: &[Token]) -> TokenKind {
+    let is_space = |token: &Token| matches!(token.kind, TokenKind::Space(_));
+    TokenKind::Space(match before {
+        [.., a, b] if is_space(a) && is_space(b) => Space::Wide,
+        _ => Space::Thin,
+    })
 }
 
 /// Whether a formula begins after this token.

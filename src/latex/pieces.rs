@@ -458,7 +458,7 @@ fn spelled_constant(items: &[&Item], at: usize) -> Option<(Span, usize)> {
         Layout::Letter(c) => Some(c),
         _ => None,
     };
-    let word: String = items[at..].iter().map_while(|item| letter(item)).collect();
+    let word: String = items[at..].iter().map_while(letter).collect();
     let last = items.get(at + word.len().checked_sub(1)?)?;
     let ends = items.get(at + word.len()).is_none_or(|next| separates(next) || matches!(next.layout, Layout::Space(_)));
     (ends && ["constant", "const", "Constant"].contains(&word.as_str()))

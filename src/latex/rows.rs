@@ -84,7 +84,12 @@ fn whole(items: &[Item]) -> Option<&[Vec<Vec<Item>>]> {
             | "multlined"
             | "displaymath"
     );
-    (has_rows || is_system(name, rows)).then_some(rows.as_slice())
+    // `\begin{array}{rcl} a & = & b \end{array}`
+    let has_relation = |row: &Vec<Vec<Item>>| row.iter().flatten().any(|item| relation(item).is_some());
+    let is_blank = |row: &Vec<Vec<Item>>| row.iter().flatten().all(|item| matches!(item.layout, Layout::Space(_)));
+    let is_array =
+        name == "array" && rows.iter().any(has_relation) && rows.iter().all(|row| has_relation(row) || is_blank(row));
+    (has_rows || is_array || is_system(name, rows)).then_some(rows.as_slice())
 }
 
 fn cells_of(row: &[Item]) -> Vec<Vec<&Item>> {

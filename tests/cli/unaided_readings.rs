@@ -6,7 +6,7 @@ use crate::support::Desk;
 /// What `onshell check -v` prints about notes.
 fn readings(name: &str, displays: &[&str]) -> String {
     let desk = Desk::new(&format!("readings-{name}"));
-    desk.write("a.md", &crate::unaided::page(displays));
+    desk.write("a.md", crate::unaided::page(displays));
     desk.onshell(&["check", "-v", "a.md"]).out
 }
 

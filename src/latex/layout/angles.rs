@@ -66,6 +66,8 @@ pub(super) fn is_lone_bar(tokens: &[Token]) -> bool {
                 None => return token.kind == TokenKind::Other(')'),
             },
             TokenKind::Other('|') if depth == 0 => return false,
+            // `(\hat a|0\rangle = 0)`
+            TokenKind::Command(name) if depth == 0 && name == "\\rangle" => return false,
             _ => {}
         }
     }

@@ -86,9 +86,8 @@ impl Parser<'_> {
             return problem;
         }
         // `x^{}`, as a macro without its optional argument writes it, sets nothing.
-        let is_something = |script: &Box<Item>| !matches!(&script.layout, Layout::Group(items) if items.iter().all(|item| matches!(item.layout, Layout::Space(_))));
-        if !matches!(nucleus.layout, Layout::Group(ref items) if items.is_empty()) {
-            (sub, sup) = (sub.filter(is_something), sup.filter(is_something));
+        if !is_nothing(&nucleus) {
+            (sub, sup) = (sub.filter(|script| !is_nothing(script)), sup.filter(|script| !is_nothing(script)));
         }
         if sub.is_none() && sup.is_none() && primes == 0 {
             return nucleus;
@@ -96,4 +95,9 @@ impl Parser<'_> {
         let span = nucleus.span.to(Span::at(self.previous_end()));
         Item { layout: Layout::Scripts { nucleus: Box::new(nucleus), sub, sup, primes }, span }
     }
+}
+
+/// Whether a group holds nothing but spaces.
+fn is_nothing(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Group(items) if items.iter().all(|item| matches!(item.layout, Layout::Space(_))))
 }

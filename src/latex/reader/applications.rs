@@ -287,6 +287,12 @@ impl Reader<'_> {
         if has_nabla(inside.iter().copied()) {
             return Ok(());
         }
+        // `U_0(1 - x/a)`, `V_0(x - a)^2`: a value, and no function of a number.
+        let terms: Vec<&[&Item]> = inside.split(|item| self.is_sign(item)).collect();
+        let has_number = terms.iter().any(|term| matches!(term, [Item { layout: Layout::Number(_), .. }]));
+        if name.subscript == ["0"] && name.primes == 0 && inside.len() > 1 && (has_number || is_powered) {
+            return Ok(());
+        }
         // `P_0 \left(\frac{T}{T_0}\right)^\chi`: a value to which a power of a ratio is a factor.
         let is_ratio = matches!(inside.as_slice(), [Item { layout: Layout::Fraction(..), .. }]);
         if is_powered && is_ratio && !name.subscript.is_empty() && name.primes == 0 {

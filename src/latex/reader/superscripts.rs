@@ -146,7 +146,7 @@ impl Reader<'_> {
                 .help("write indices as a subscript; for a power, use a letter that is no index elsewhere"));
         }
         match self.symbols.open {
-            true => is_unlikely_index(self.subscript_of(base), base, &letters, sup, span),
+            true => is_unlikely_index(self.name_of(base), base, &letters, sup, span),
             false => Ok(()),
         }
     }
@@ -156,26 +156,43 @@ impl Reader<'_> {
         names::printed(item, None).is_some_and(|printed| self.symbols.find(&printed.name).is_some())
     }
 
-    /// The subscript of a symbol.
-    fn subscript_of(&self, base: &Expr) -> &[String] {
+    /// The letter and the subscript of a symbol.
+    fn name_of(&self, base: &Expr) -> (&str, &[String]) {
         match &base.node {
-            Node::Symbol { id, .. } => &self.symbols.entry(*id).name.subscript,
-            _ => &[],
+            Node::Symbol { id, .. } => {
+                let name = &self.symbols.entry(*id).name;
+                (&name.base, &name.subscript)
+            }
+            _ => ("", &[]),
         }
     }
 }
 
 /// Without declarations: rejects letters above a base that are as likely indices, a label or an ordinal as a power.
-fn is_unlikely_index(subscript: &[String], base: &Expr, letters: &[String], sup: &Item, span: Span) -> Read<()> {
+fn is_unlikely_index(
+    (name, subscript): (&str, &[String]),
+    base: &Expr,
+    letters: &[String],
+    sup: &Item,
+    span: Span,
+) -> Read<()> {
     let is_symbol = matches!(base.node, Node::Symbol { .. });
     let is_number = matches!(base.node, Node::Number(_));
     let has_index = matches!(subscript, [.., last] if last.starts_with(|c: char| c.is_lowercase() || c == '\\'));
     let is_usual = |letter: &String| ["i", "j", "\\mu", "\\nu"].contains(&letter.as_str());
     let is_power = |letter: &String| ["n", "m", "k", "p", "q", "r", "s", "\\gamma"].contains(&letter.as_str());
+    // The partition function of N particles.
+    let is_of_particles = || match &base.node {
+        Node::Symbol { .. } => letters.concat() == "N" && ["Z", "V", "z"].contains(&name),
+        _ => false,
+    };
     let is_ordinal = is_number && ["o", "st", "nd", "rd", "th"].contains(&letters.concat().as_str());
     let may_be_index = match letters {
         [] => is_symbol && matches!(whole_number(sup), Some(0 | 1)),
-        [only] => is_ordinal || !is_number && (is_usual(only) || is_symbol && (has_index || !is_power(only))),
+        [only] => {
+            !is_of_particles()
+                && (is_ordinal || !is_number && (is_usual(only) || is_symbol && (has_index || !is_power(only))))
+        }
         [_, _] => is_symbol || is_ordinal,
         _ => true,
     };

@@ -363,6 +363,13 @@ impl Reader<'_> {
         let ahead = 1 + if order.is_some() { spaces.count() } else { 0 };
         let Some(second) = items.get(*cursor + ahead) else { return Ok(None) };
         let is_difference = matches!(&first.layout, Layout::Command(name) if name == "\\Delta" || name == "\\delta");
+        if is_difference && matches!(second.layout, Layout::Root(..)) && self.symbols.infers() && !self.is_abstract() {
+            return Err(Fault::ambiguous(
+                first.span.to(second.span),
+                "this may be the change of the root or a product with it",
+            )
+            .help("put parentheses around the root for the change, and \\cdot before it for a product"));
+        }
         let Some(mut printed) = names::printed(second, self.branch).filter(|_| is_difference || order.is_some()) else {
             return Ok(None);
         };

@@ -1,6 +1,7 @@
 //! What displays of public notes were once read wrongly or refused without need. Beside each stands what differs little and
 //! is read in another way, or is refused.
 
+use onshell::formula::symbols::Name;
 use onshell::latex::read_display;
 
 use super::*;
@@ -57,6 +58,7 @@ fn delta_is_a_factor_beside_other_coefficients() {
         ("\\dot v = -\\delta v - \\alpha x", "v̇ = −δ·v − α·x"),
         ("\\frac12 \\delta \\theta^2 + \\epsilon z \\theta = E", "(1/2)·δ·θ^2 + ϵ·z·θ = E"),
         ("\\delta S = \\alpha \\delta q", "δS = α·δq"),
+        ("\\delta\\sqrt{-g} = a \\delta g", "δ(√(−g)) = a·δg"),
         ("f(q + \\delta q) = f(q) + \\alpha \\delta q + \\beta q", "f(q + δq) = f(q) + α·δq + β·q"),
     ]);
 }
@@ -69,6 +71,12 @@ fn a_letter_before_a_parenthesis() {
         ("a = V(\\nabla\\cdot\\vec E)", "a = V·∇·(E⃗)"),
         ("\\Gamma(n + 1) = n!", "Γ(n + 1) = n!"),
         ("a = \\hbar(b)", "a = ħ·b"),
+        ("S(E) = S_1(E_1) + S_2(E - E_1)", "S(E) = S_1(E_1) + S_2(E − E_1)"),
+        ("U(x) = U_0(1 - x)", "U(x) = U_0·(1 − x)"),
+        ("V(x) = V_0(x - a)^2", "V(x) = V_0·(x − a)^2"),
+        ("V_0(x) = a", "V_0(x) = a"),
+        ("P(n) = \\Omega(q - n)", "P(n) = Ω(q − n)"),
+        ("Z = Z_1^N", "Z = Z_1^(N)"),
     ]);
     are_refused(&["p = e^{i\\Gamma(x/c - t)}"]);
     // F is no real number beside 1/u.
@@ -127,6 +135,8 @@ fn environments_inside_of_others() {
     are_read(&[
         ("\\begin{equation}\\begin{split} a &= b \\\\ &= c \\end{split}\\end{equation}", "a = b = c"),
         ("\\begin{equation*}\\begin{cases} a = b \\\\ c = d \\end{cases}\\end{equation*}", "a = b ¦ c = d"),
+        ("\\begin{array}{rcl} a & = & b \\\\ c & = & d \\end{array}", "a = b ¦ c = d"),
+        ("a|n\\rangle = b \\quad (a|0\\rangle = 0)", "a·|n⟩ = b for a·|0⟩ = 0"),
         ("\\displaylines{a = b \\\\ c = d}", "a = b ¦ c = d"),
         ("A = \\begin{pmatrix} a, \\\\ b. \\end{pmatrix}", "A = [a; b]"),
         ("a = \\left({b \\over c}\\right)^2 + \\left(b \\over c\\right)", "a = (b/c)^2 + b/c"),

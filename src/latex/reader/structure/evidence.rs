@@ -96,8 +96,11 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
     // The gamma function has no argument that varies with the time: `i\Gamma(x/c - t)` is refused as k(x − ct) is.
     let is_rate = base == "\\Gamma" && inside.iter().any(is_time);
     let is_known = always.contains(&base) && !is_rate || is_legendre || base.starts_with("\\mathcal{");
+    // U_0 is the value of U at a place, and a factor: `U_0(1 - x/a)`, `V_0(x - a)^2`.
+    let is_value = name.subscript == ["0"];
     is_known && name.primes == 0
         || of_a_place.contains(&base)
+            && !is_value
             && base != "q"
             && base != "x"
             && inside.iter().all(is_part)

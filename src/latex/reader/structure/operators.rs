@@ -28,7 +28,7 @@ impl Reader<'_> {
         }
         if let (Layout::Command(name), Some(next)) = (&items[*cursor].layout, items.get(*cursor + 1))
             && ["\\delta", "\\Delta"].contains(&name.as_str())
-            && (is_parenthesis(next) || is_derivative(next))
+            && (is_parenthesis(next) || is_derivative(next) || matches!(next.layout, Layout::Root(..)))
         {
             let span = items[*cursor].span;
             let template = format!("{name}(#)");
