@@ -46,7 +46,7 @@ impl Reader<'_> {
             }
             Layout::Fault(fault) => Err(fault.clone()),
             Layout::Unit(units) => self.units(units, span),
-            Layout::Rest(_) => Err(Fault::new(span, "terms are left out here, and nothing follows from that")),
+            Layout::Rest(order) => self.rest(item, order.as_deref()),
             Layout::Value(_) => Err(Fault::new(span, "this formula stands for one name, which is not declared here")),
             Layout::Number(digits) => {
                 if digits.parse::<f64>().is_ok_and(f64::is_finite) {

@@ -108,9 +108,6 @@ impl Reader<'_> {
     /// A term: factors and the operators between them; all of `items`.
     pub(super) fn term(&mut self, items: &[Item]) -> Read<Expr> {
         let whole = extent(items).unwrap_or_default();
-        if let Some(found) = self.rest(items)? {
-            return Ok(found);
-        }
         if self.is_abstract()
             && let Some(found) = self.infix_product(items, whole)?
         {

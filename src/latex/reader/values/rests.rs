@@ -5,28 +5,26 @@ use crate::formula::symbols::Name;
 use crate::formula::tree::{Expr, Node};
 use crate::source::Fault;
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::Item;
 use super::super::state::{Read, Reader};
 
 impl Reader<'_> {
-    /// The term that stands for terms which are left out, if it is one.
-    pub(in super::super) fn rest(&mut self, items: &[Item]) -> Read<Option<Expr>> {
-        let mut significant = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
-        let (Some(item), None) = (significant.next(), significant.next()) else { return Ok(None) };
-        let Item { layout: Layout::Rest(order), span } = item else { return Ok(None) };
+    /// What stands for terms that are left out, with what stands in its `O(…)`.
+    pub(in super::super) fn rest(&mut self, item: &Item, order: Option<&[Item]>) -> Read<Expr> {
+        let span = item.span;
         // For reading only it may stand beside vectors and operators.
         if self.symbols.open {
-            return Ok(Some(self.label(std::slice::from_ref(item), *span)));
+            return Ok(self.label(std::slice::from_ref(item), span));
         }
-        let Some(order) = order else { return Ok(Some(Expr::new(Node::Rest(Vec::new()), *span))) };
+        let Some(order) = order else { return Ok(Expr::new(Node::Rest(Vec::new()), span)) };
         if self.symbols.find(&Name::plain("O")).is_some() {
-            return Err(Fault::ambiguous(*span, "O may be an order or the declared symbol").help("rename the symbol O"));
+            return Err(Fault::ambiguous(span, "O may be an order or the declared symbol").help("rename the symbol O"));
         }
-        let order = self.sum(order, *span)?;
+        let order = self.sum(order, span)?;
         let mut powers = Vec::new();
         match collect(&order, 1, &mut powers) {
-            Some(()) => Ok(Some(Expr::new(Node::Rest(powers), *span))),
-            None => Err(Fault::unsupported(*span, "an order is a product of whole powers, such as O(x^3)")),
+            Some(()) => Ok(Expr::new(Node::Rest(powers), span)),
+            None => Err(Fault::unsupported(span, "an order is a product of whole powers, such as O(x^3)")),
         }
     }
 }
