@@ -364,18 +364,6 @@ impl Course<'_, '_> {
         })
     }
 
-    /// Whether a display prints a solution of an equation of motion.
-    fn prints_a_solution(&self, at: usize, claim: &Claim) -> bool {
-        self.checker.readings[at].statements.iter().flatten().any(|statement| {
-            let ([lhs, rhs, ..], [(relation, _), ..]) = (statement.members.as_slice(), statement.relations.as_slice())
-            else {
-                return false;
-            };
-            let link = self.checker.link(lhs, *relation, rhs);
-            link.is_ok_and(|link| self.checker.solution(&link, 0, claim).is_some())
-        })
-    }
-
     /// Whether a display relates the symbols that an earlier one does, in another order of its terms perhaps.
     fn restates(&self, at: usize) -> bool {
         let printed = |at: usize| {
@@ -462,7 +450,8 @@ impl Course<'_, '_> {
             [_] => (Basis::Premise, Search::Likely),
             _ => (Basis::Premises, Search::Likely),
         };
-        let solves = set.is_empty() && (self.prints_a_solution(at, claim) || words.connected && self.restates(at));
+        let solves =
+            set.is_empty() && (solutions::is_printed(checker, at, claim) || words.connected && self.restates(at));
         if !solves && !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words)
             || words.announced == Announced::Assumption && !(words.only_nearness && self.approximates(at))
             || words.other_case && !self.is_by_itself(at)

@@ -4,6 +4,7 @@
 //! Each printed branch, substituted for the symbol, must satisfy the relation. Notes may give one of several solutions, so it
 //! is not asked whether there are others.
 
+use crate::check::document::checker::Checker;
 use crate::check::kinds::solves::contains_rate;
 use crate::check::model::Model;
 use crate::check::model::meaning::Meaning;
@@ -96,4 +97,16 @@ impl Solution<'_> {
         found.finding.message = format!("solves ({})", self.of.id);
         found
     }
+}
+
+/// Whether a display prints a solution of an equation of motion.
+pub(super) fn is_printed(checker: &Checker<'_>, at: usize, claim: &Claim) -> bool {
+    checker.readings[at].statements.iter().flatten().any(|statement| {
+        let ([lhs, rhs, ..], [(relation, _), ..]) = (statement.members.as_slice(), statement.relations.as_slice())
+        else {
+            return false;
+        };
+        let link = checker.link(lhs, *relation, rhs);
+        link.is_ok_and(|link| checker.solution(&link, 0, claim).is_some())
+    })
 }
