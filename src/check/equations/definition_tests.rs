@@ -142,7 +142,10 @@ impl<'d, 'a> DefinitionTests<'d, 'a> {
     /// What becomes of each equation where the name stands for another formula; `None`, if the formula contains the name.
     pub fn outcomes(&self, formula: &Expr) -> Option<impl Iterator<Item = Outcome<'_>>> {
         let model = self.redefined(formula)?;
-        Some(self.tests.iter().map(move |test| Outcome { of: &test.of, held: test.held, holds: !test.fails(&model) }))
+        Some(self.tests.iter().map(move |test| {
+            let holds = !test.fails(&model) && test.has_a_value(&model);
+            Outcome { of: &test.of, held: test.held, holds }
+        }))
     }
 
     /// The model in which the name stands for another formula. A name cannot be defined by itself.
@@ -155,6 +158,18 @@ impl<'d, 'a> DefinitionTests<'d, 'a> {
 }
 
 impl DefinitionTest {
+    /// Whether the equation holds at one of its states with the definitions of a model. A formula without a value fails at none.
+    fn has_a_value(&self, model: &Model) -> bool {
+        self.along.is_some()
+            || self.bases.iter().any(|base| {
+                let base: Vec<RunningError> = base.iter().map(|value| RunningError::from(*value)).collect();
+                let state = SampledState::new(model, self.mode, &base, &self.rules).ok();
+                state
+                    .and_then(|state| residual::test(&self.link, &state).ok())
+                    .is_some_and(|p| matches!(p, Point::Holds(_)))
+            })
+    }
+
     /// Whether the equation fails at one of its states with the definitions of a model.
     fn fails(&self, model: &Model) -> bool {
         // A solution that contains its own coordinate is none.

@@ -286,7 +286,7 @@ impl<'a> Parser<'a> {
             "\\frac" => {
                 let numerator = self.argument(span);
                 let denominator = self.argument(span);
-                Layout::Fraction(boxed(numerator), boxed(denominator))
+                Layout::Fraction(boxed(trimmed(numerator)), boxed(trimmed(denominator)))
             }
             "\\sqrt" => {
                 let index = match self.peek() {
@@ -461,5 +461,18 @@ impl<'a> Parser<'a> {
             rows.pop();
         }
         Item { layout: Layout::Environment(name, rows), span: span.to(Span::at(self.previous_end())) }
+    }
+}
+
+/// A group without the spaces at its ends, which `\newcommand{\dd}{\,\mathrm{d}}` puts before a d.
+fn trimmed(item: Item) -> Item {
+    let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
+    match item.layout {
+        Layout::Group(items) if items.first().is_some_and(is_space) || items.last().is_some_and(is_space) => {
+            let end = items.iter().rposition(|item| !is_space(item)).map_or(0, |last| last + 1);
+            let start = items.iter().position(|item| !is_space(item)).unwrap_or(end);
+            Item { layout: Layout::Group(items[start..end].to_vec()), span: item.span }
+        }
+        _ => item,
     }
 }

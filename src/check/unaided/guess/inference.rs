@@ -74,7 +74,13 @@ fn completed(
             let misshapen = values::misshapen(checker.readings, notes, &checker.model.macros);
             Ok((missing(checker.readings), foreign(checker.model), values, misshapen))
         };
-        let Ok((missing, foreign, values, misshapen)) = with_checker(run, &claims, notes, look) else { break };
+        let Ok((missing, foreign, values, misshapen)) = with_checker(run, &claims, notes, look) else {
+            // Differentials that are no rates here are quantities of their own.
+            if guess.without_rates() {
+                continue;
+            }
+            break;
+        };
         best = Some(claims);
         // What a display gives a formula is declared only if that display does not become readable otherwise.
         let is_given = |name: &String| usages.iter().any(|usage| usage.given && usage.name.to_string() == *name);
@@ -327,6 +333,14 @@ impl Guess {
             }
         }
         is_new
+    }
+
+    /// Makes quantities of their own of the differentials; returns whether there is one.
+    fn without_rates(&mut self) -> bool {
+        let Some(group) = self.keys.get_mut("formulas as names").and_then(Value::as_object_mut) else { return false };
+        let mut rates: Vec<&mut Value> = group.values_mut().filter(|value| value.as_str() == Some("rate")).collect();
+        rates.iter_mut().for_each(|value| **value = json!("constant"));
+        !rates.is_empty()
     }
 
     /// Lets a constant vary with time.
