@@ -59,6 +59,8 @@ mod typst;
 mod unaided;
 #[path = "cli/unaided_contradictions.rs"]
 mod unaided_contradictions;
+#[path = "cli/unaided_differentials.rs"]
+mod unaided_differentials;
 #[path = "cli/unaided_premises.rs"]
 mod unaided_premises;
 #[path = "cli/unaided_readings.rs"]

@@ -372,6 +372,7 @@ impl Checker<'_> {
                 }
                 _ => identity::check(&link, &context)?,
             };
+            let finding = self.with_moving_constant(&link, finding, &context);
             let finding = self.with_undetermined_name(&link, finding, &context);
             let finding = context.for_every_function(finding, &[&link.lhs, &link.rhs]);
             links.push(JudgedLink { at, finding, relation: *relation });

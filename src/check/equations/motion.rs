@@ -77,6 +77,26 @@ impl Checker<'_> {
         found
     }
 
+    /// The finding on a coordinate that is given by the time and by a name which moves by its formula: x(t) with the energy E
+    /// in it. The author means a constant of integration, which the formula is not, so this is not called wrong.
+    pub(crate) fn with_moving_constant(&self, link: &Link, finding: Finding, context: &Context<'_>) -> Finding {
+        let Some(coordinate) = link.lhs.as_plain_symbol().filter(|_| self.model.has_motion()) else { return finding };
+        let moves = |id: SymbolId| self.model.symbol_depends_on(id, &[coordinate]);
+        let mut names = link.rhs.symbols().into_iter().map(|(id, _)| id).filter(|id| *id != coordinate && moves(*id));
+        let is_meant = finding.verdict == Verdict::Refuted && self.model.contains_time(&link.rhs);
+        match names.next() {
+            Some(name) if is_meant && !link.rhs.symbols().iter().any(|(id, _)| *id == coordinate) => {
+                let name = text::plain(&self.model.name(name));
+                let message = format!(
+                    "{name} has a formula that moves, so it is no constant of integration, and this was not decided; \
+                     write the constant as a letter of its own"
+                );
+                context.finding(Code::NotDecided, Verdict::Undecided, message)
+            }
+            _ => finding,
+        }
+    }
+
     /// The finding on a printed solution, or on a rate of one.
     pub(crate) fn of_the_motion(&self, found: &Solution, context: &Context<'_>) -> Result<Finding> {
         let of_itself = |(_, known): &(usize, Solution)| known.coordinate == found.coordinate;

@@ -1,0 +1,72 @@
+//! Notes without a claims file: differentials, chains over several rows, and quantities that are constant.
+
+use serde_json::Value;
+
+use crate::support::Desk;
+
+/// The verdicts on the displays of a page in LaTeX or Markdown.
+fn verdicts(name: &str, file: &str, notes: &str) -> Vec<String> {
+    let desk = Desk::new(&format!("differentials-{name}"));
+    desk.write(file, notes);
+    let run = desk.onshell(&["check", file, "--format", "json"]);
+    let report: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}{}", run.out, run.err));
+    let equations = report["documents"][0]["equations"].as_array().expect("a list");
+    equations.iter().map(|equation| equation["verdict"].as_str().unwrap_or_default().to_owned()).collect()
+}
+
+#[test]
+fn differentials_of_a_relation_follow_from_it() {
+    let gas = |differential: &str| {
+        format!("For a gas\n\n$$ pV = nRT \\tag{{1}} $$\n\nHence\n\n$$ {differential} \\tag{{2}} $$\n")
+    };
+    for (name, right) in [
+        ("sum", r"p\,dV + V\,dp = nR\,dT"),
+        ("upright", r"p\,\mathrm{d}V + V\,\mathrm{d}p = nR\,\mathrm{d}T"),
+        ("quotients", r"\frac{dp}{p} + \frac{dV}{V} = \frac{dT}{T}"),
+    ] {
+        assert_eq!(verdicts(name, "notes.md", &gas(right))[1], "certified", "{name}");
+    }
+    for (name, wrong) in
+        [("sign", r"p\,dV - V\,dp = nR\,dT"), ("factor", r"\frac{dp}{p} + 2\frac{dV}{V} = \frac{dT}{T}")]
+    {
+        assert!(!["certified", "verified"].contains(&verdicts(name, "notes.md", &gas(wrong))[1].as_str()), "{name}");
+    }
+}
+
+#[test]
+fn a_line_element_follows_from_the_coordinates() {
+    let element = |formula: &str| {
+        format!(
+            "$$ x = r\\cos\\theta \\tag{{1}} $$\n\n$$ y = r\\sin\\theta \\tag{{2}} $$\n\nso that\n\n$$ dx^2 + dy^2 = {formula} \\tag{{3}} $$\n"
+        )
+    };
+    assert_eq!(verdicts("element", "notes.md", &element(r"dr^2 + r^2 d\theta^2"))[2], "certified");
+    assert_ne!(verdicts("element-slip", "notes.md", &element(r"dr^2 + r\, d\theta^2"))[2], "certified");
+}
+
+#[test]
+fn what_is_constant_follows_from_a_relation_between_rates() {
+    let adiabat = |exponent: &str| {
+        format!(
+            "Without heat\n\n$$ \\frac{{dT}}{{T}} = -(\\gamma-1)\\frac{{dV}}{{V}} \\tag{{1}} $$\n\nand therefore\n\n\
+             $$ T V^{{{exponent}}} = \\text{{const}} \\tag{{2}} $$\n"
+        )
+    };
+    assert_eq!(verdicts("adiabat", "notes.md", &adiabat(r"\gamma-1"))[1], "verified");
+    for (name, wrong) in [("sign", r"1-\gamma"), ("power", r"\gamma"), ("sum", r"\gamma+1")] {
+        let found = verdicts(name, "notes.md", &adiabat(wrong));
+        assert!(["refuted", "undecided"].contains(&found[1].as_str()), "{name}: {found:?}");
+    }
+}
+
+#[test]
+fn a_row_that_begins_with_a_relation_goes_on_from_the_row_before() {
+    let rows = |last: &str| {
+        format!(
+            "The energy is\n\\begin{{align}}\n  U &= \\frac{{3Q}}{{R^3}}\\int_0^R\\left(3-\\frac{{r^2}}{{R^2}}\\right)r^2\\,dr, \\notag\\\\\n    \
+             &= \\frac{{3Q}}{{R^3}}\\left[R^3 - \\frac{{R^3}}{{5}}\\right] \\label{{eq:b}}\\\\\n    &= {last}. \\label{{eq:u}}\n\\end{{align}}\n"
+        )
+    };
+    assert_eq!(verdicts("rows", "notes.tex", &rows(r"\frac{12Q}{5}")), ["certified", "certified"]);
+    assert_eq!(verdicts("rows-slip", "notes.tex", &rows(r"\frac{12Q}{7}")), ["certified", "refuted"]);
+}
