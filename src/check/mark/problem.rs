@@ -1,5 +1,6 @@
 //! The problem: the claims and the notes of the teacher, prepared once for all hand-ins.
 
+use crate::code::Code;
 use crate::notes::address::{self, Address, Point, Target};
 use crate::notes::claims::{Claim, Claims, Rubric, Share, Spanned};
 use crate::notes::{Display, Notes, Numbered};
@@ -69,7 +70,8 @@ impl Problem {
         let notes = &numbered(notes);
         let mut claims = by_number(claims, notes)?;
         (claims.sentences, claims.steps) = (Vec::new(), Vec::new());
-        let verdicts = verdicts(run, &claims, notes)?;
+        let (verdicts, open) = verdicts(run, &claims, notes)?;
+        let is_named = !wanted.is_empty();
         if wanted.is_empty() {
             wanted = unnamed(notes, &verdicts);
         }
@@ -83,6 +85,15 @@ impl Problem {
             );
             return Err(Error::at(&notes.source, notes.equations[failed.display].body, message)
                 .help("check the problem first with `onshell check`, and correct it"));
+        }
+        // No line of a hand-in can be held against a result that was not decided.
+        if let Some((result, why)) =
+            wanted.iter().filter(|_| is_named).find_map(|wanted| open[wanted.display].as_ref().map(|why| (wanted, why)))
+        {
+            let message =
+                format!("({}) is a result that is wanted, but in the model solution it is undecided: {why}", result.id);
+            return Err(Error::at(&notes.source, notes.equations[result.display].body, message)
+                .help("check the problem first with `onshell check`, and say what is missing in its claims file"));
         }
         if wanted.is_empty() {
             return Err(Error::new(format!(
@@ -168,8 +179,8 @@ fn by_number(claims: &Claims, notes: &Notes) -> Result<Claims> {
     Ok(Claims { equations, ..claims.clone() })
 }
 
-/// The verdicts on the displays of the problem.
-fn verdicts(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Vec<Verdict>> {
+/// The verdicts on the displays of the problem, and why those are undecided that are no untested definitions.
+fn verdicts(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<(Vec<Verdict>, Vec<Option<String>>)> {
     let brief = Run { options: Options { explain: false, ..run.options }, only: None, ..*run };
     let document = check_in(&brief, claims, notes)?;
     let of = |display: &Display| {
@@ -182,7 +193,14 @@ fn verdicts(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Vec<Verdict
             }
         })
     };
-    Ok(notes.equations.iter().map(of).collect())
+    let is_untested =
+        |code| matches!(code, Code::DefinitionUnused | Code::DefinitionNotTested | Code::DefinitionUpToSign);
+    let open = |display: &Display| {
+        let found = document.equations.iter().find(|equation| Some(equation.id.as_str()) == display.id())?;
+        let finding = Some(&found.finding).filter(|finding| finding.verdict == Verdict::Undecided && !found.ok)?;
+        (!is_untested(finding.code)).then(|| finding.message.clone())
+    };
+    Ok((notes.equations.iter().map(of).collect(), notes.equations.iter().map(open).collect()))
 }
 
 /// The wanted results of a problem without a list of them: what follows, and the last display.
