@@ -82,7 +82,8 @@ codes! {
     /// A definition is contradicted by the displays that use the name, and one edit of it repairs them, in notes without a
     /// claims file.
     ///
-    /// For example, `t_1 = v/(7a)` before `a t_1 = 2v/7` and `a t_1^2 = 4v^2/(49a)`. Correct the definition.
+    /// For example, `t_1 = \frac{v}{7 a}` before `v_1 = v - a t_1 = \frac57 v` and another display that needs twice that time.
+    /// Correct the definition.
     DefinitionContradicted = "definition-contradicted",
     /// The text is not a unit of the SI.
     ///
@@ -240,8 +241,8 @@ codes! {
     /// A display contradicts a definition that it uses, and a slip in either would explain that, in notes without a claims
     /// file.
     ///
-    /// For example, `t_1 = v/(7a)` and `a t_1 = 2v/7`: one of them is wrong, and no other display says which. An edit of
-    /// each is shown. Correct the one that is wrong.
+    /// For example, `t_1 = \frac{v}{7 a}` and `v_1 = v - a t_1 = \frac57 v`: one of them is wrong, and no other display says
+    /// which. An edit of each is shown. Correct the one that is wrong.
     Contradiction = "contradiction",
     /// Nothing is claimed of the display.
     ///

@@ -99,6 +99,8 @@ fn improper_integrals_are_those_of_a_long_quadrature() {
         ),
     );
     near(r"\int_b^\infty \frac{dy}{y^3}", quadrature(|u| u, 0.0, 1.0 / B));
+    // No rule, and a value by quadrature.
+    near(r"\int_0^a \sin(y^2) \, dy", quadrature(|y| (y * y).sin(), 0.0, A));
 }
 
 #[test]
@@ -135,7 +137,6 @@ fn what_has_no_value_has_none_here() {
     none(r"\sum_{k=0}^{\infty} a^k");
     none(r"\sum_{k=1}^{\infty} 1");
     // No rule.
-    none(r"\int_0^a \sin(y^2) \, dy");
     none(r"\sum_{k=1}^{n} \frac{1}{k}");
     // The powers of powers that are no powers.
     none(r"\int_{-a}^{a} (\sqrt{y})^2 \, dy");

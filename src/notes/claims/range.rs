@@ -200,9 +200,15 @@ pub(super) fn between(written: &Spanned<String>, name: &str) -> Option<(Spanned<
     let inside = text.strip_prefix(['(', '['])?.strip_suffix([')', ']'])?;
     let (low, high) = inside.split_once(',').map(|(low, high)| (low.trim(), high.trim()))?;
     let is_infinite = |end: &str| matches!(end.trim_start_matches(['+', '-']).trim(), "\\infty");
-    let is_formula = |end: &str| {
-        endpoint(end).is_err() && end.contains(|c: char| c.is_alphabetic()) && !end.contains(['<', '>', '=', ','])
+    // Beside π and digits a formula has a name: `1e400`, `\pi\pi` and `nan` are numbers that are written wrongly.
+    let has_name = |end: &str| {
+        let rest = ["\\pi", "\\frac", "\\infty"].iter().fold(end.to_owned(), |text, known| text.replace(known, " "));
+        let is_number =
+            rest.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit()) && !rest.contains(' ');
+        let letters = rest.trim_matches(|c: char| !c.is_alphabetic()).to_lowercase();
+        !letters.is_empty() && !["inf", "nan", "infinity"].contains(&letters.as_str()) && (letters != "e" || !is_number)
     };
+    let is_formula = |end: &str| endpoint(end).is_err() && has_name(end) && !end.contains(['<', '>', '=', ',']);
     if ![low, high].into_iter().any(is_formula) || is_infinite(low) != low.starts_with("-\\infty") {
         return None;
     }
