@@ -31,7 +31,7 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
             continue;
         }
         let (id, name) = (found[place].id.clone(), found[defined].id.clone());
-        if !culprit.others.is_empty() && is_common_there || is_common_there && !is_common_here {
+        if is_common_there && (!culprit.others.is_empty() || !is_common_here) {
             found[defined] = refuted(&found[defined], &culprit, &id);
             for equation in
                 found.iter_mut().filter(|equation| equation.id == id || culprit.others.contains(&equation.id))
