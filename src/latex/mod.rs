@@ -58,7 +58,6 @@ pub use definitions::DefinedSymbol;
 #[cfg(feature = "notes")]
 pub use macros::Macros;
 #[cfg(feature = "notes")]
-#[cfg(feature = "cli")]
 pub use reader::has_coefficient;
 #[cfg(feature = "notes")]
 pub use reader::{derivative_name, pairs_by_name, read_formula};

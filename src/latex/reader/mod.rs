@@ -83,7 +83,6 @@ pub use partial_derivatives::derivative_name;
 pub(super) use state::Reader;
 
 /// Whether δ before a letter is a factor in a display, as in −δ v − α x, and no variation.
-#[cfg(feature = "cli")]
 pub fn has_coefficient(text: &str, macros: &Macros) -> bool {
     typeset_items(text, macros).is_ok_and(|items| undeclared::has_coefficient(&items))
 }

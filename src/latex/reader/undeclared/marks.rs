@@ -28,7 +28,6 @@ pub(in super::super::super) fn note_marks(items: &[Item], inferred: &mut Inferre
 }
 
 /// Whether δ before a letter is a factor in a display.
-#[cfg(feature = "cli")]
 pub(in super::super::super) fn has_coefficient(items: &[Item]) -> bool {
     let mut inferred = Inferred::default();
     note_marks(items, &mut inferred);

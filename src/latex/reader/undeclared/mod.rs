@@ -14,7 +14,6 @@
 //! | `bars` | `\left. … \right|_{x=a}`, `(\partial S/\partial V)_T` |
 
 pub(super) use bars::bar;
-#[cfg(feature = "cli")]
 pub(in super::super) use marks::has_coefficient;
 pub(in super::super) use marks::note_marks;
 
