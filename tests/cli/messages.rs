@@ -379,10 +379,12 @@ fn a_number_that_is_not_in_the_notes_has_no_near_one() {
 }
 
 #[test]
-fn a_definite_integral_without_a_known_antiderivative_is_rejected() {
+fn a_definite_integral_without_a_known_antiderivative_has_a_value_where_its_quadrature_converges() {
     let run = check("integral", "$$ \\int_0^1 \\sin(x^2) dx = \\frac13 \\tag{1} $$\n", &numbers(json!({})));
-    says(&run, &["no antiderivative of this integrand is known here"]);
+    says(&run, &["(1) is refuted", "left side 0.310268"]);
     is_silent(&run, &["continu"]);
+    let run = check("oscillates", "$$ \\int_0^\\infty \\sin(x^2) dx = \\frac13 \\tag{1} $$\n", &numbers(json!({})));
+    says(&run, &["(1) is undecided", "the quadrature of an integral does not converge"]);
     let run = check("integral-region", "$$ \\int x^2 dx = \\frac13 \\tag{1} $$\n", &numbers(json!({})));
     says(&run, &["declared continuum"]);
 }

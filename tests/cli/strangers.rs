@@ -59,13 +59,15 @@ fn equations(document: &Value) -> &[Value] {
     document["equations"].as_array().expect("a list")
 }
 
-/// Whether the slip is refuted in its place, with a repair; a number with a unit needs none.
+/// Whether the slip is refuted in its place, with a repair; a number with a unit needs none. Where nothing else decides, its
+/// display contradicts a definition, and an edit of each is shown.
 fn is_refuted(slip: &Planted, report: &Value) -> bool {
     documents(report).iter().flat_map(equations).any(|equation| {
         let line = equation["line"].as_u64().and_then(|line| usize::try_from(line).ok()).unwrap_or_default();
         let has_repair = equation["repairs"].as_array().is_some_and(|repairs| !repairs.is_empty());
         let is_number = equation["code"] == "numbers-differ";
-        equation["verdict"] == "refuted" && (has_repair || is_number) && slip.lines.contains(&line)
+        let is_wrong = equation["verdict"] == "refuted" || equation["code"] == "contradiction";
+        is_wrong && (has_repair || is_number) && slip.lines.contains(&line)
     })
 }
 

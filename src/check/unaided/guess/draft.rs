@@ -31,7 +31,8 @@ pub fn draft(run: &Run<'_>, notes: &Notes) -> Result<Draft> {
     let usages = names_of(&notes.equations, &macros);
     let keys: Map<String, Value> = serde_json::from_str(&claims.source.text).unwrap_or_default();
     let mut guesses = Map::new();
-    for (role, group) in keys.iter().filter(|(role, _)| *role != "notes") {
+    let is_declared = |key: &str| !["notes", "guesses"].contains(&key);
+    for (role, group) in keys.iter().filter(|(role, _)| is_declared(role)) {
         for (name, value) in group.as_object().into_iter().flatten() {
             let usage = usages.iter().find(|usage| usage.name.to_string() == *name);
             let reason = reason(role, value.as_str().unwrap_or_default(), usage);
@@ -44,7 +45,7 @@ pub fn draft(run: &Run<'_>, notes: &Notes) -> Result<Draft> {
     // The keys that a reader looks for first come first.
     let mut lines: Vec<String> = Vec::new();
     let ends = [("notes", keys.get("notes").cloned()), ("guesses", Some(Value::Object(guesses)))];
-    let middle = keys.iter().filter(|(key, _)| *key != "notes").map(|(key, value)| (key.as_str(), Some(value.clone())));
+    let middle = keys.iter().filter(|(key, _)| is_declared(key)).map(|(key, value)| (key.as_str(), Some(value.clone())));
     let [first, last] = ends;
     for (key, value) in std::iter::once(first).chain(middle).chain(std::iter::once(last)) {
         let Some(value) = value else { continue };
