@@ -139,15 +139,19 @@ pub(in crate::check::mark) fn follows(
     {
         return true;
     }
+    // A quantity that is positive in the problem need not be so in a false line: u = 0.
+    let mut positive = open.clone();
     for id in &names {
         let range = if is_positive(checker, *id) { Range::Positive } else { Range::Any };
-        open.mean(*id, Meaning::Varying(open.varying.len()));
-        open.varying.push(Variable::number(*id, range));
+        for (model, range) in [(&mut open, Range::Any), (&mut positive, range)] {
+            model.mean(*id, Meaning::Varying(model.varying.len()));
+            model.varying.push(Variable::number(*id, range));
+        }
     }
     sets.extend(others.iter().map(|one| premises(&mut wrong.iter().chain(one))));
     let beside = derived.iter().flat_map(|derived| others.iter().map(move |other| (derived, other)));
     sets.extend(beside.map(|(derived, other)| premises(&mut derived.iter().chain(other))));
-    !names.is_empty() && sets.iter().any(|set| holds_all(&open, set))
+    !names.is_empty() && sets.iter().any(|set| holds_all(&open, set) || holds_all(&positive, set))
 }
 
 /// Whether an equation of motion holds where a line says what a coordinate is at all times: `Q = C U_0` in

@@ -45,7 +45,8 @@ pub fn draft(run: &Run<'_>, notes: &Notes) -> Result<Draft> {
     // The keys that a reader looks for first come first.
     let mut lines: Vec<String> = Vec::new();
     let ends = [("notes", keys.get("notes").cloned()), ("guesses", Some(Value::Object(guesses)))];
-    let middle = keys.iter().filter(|(key, _)| is_declared(key)).map(|(key, value)| (key.as_str(), Some(value.clone())));
+    let middle =
+        keys.iter().filter(|(key, _)| is_declared(key)).map(|(key, value)| (key.as_str(), Some(value.clone())));
     let [first, last] = ends;
     for (key, value) in std::iter::once(first).chain(middle).chain(std::iter::once(last)) {
         let Some(value) = value else { continue };
