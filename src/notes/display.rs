@@ -6,6 +6,9 @@ use crate::source::Span;
 ///
 /// Several `$$…$$` that follow each other and share a number are one `Display`. Its `body` then reaches from the
 /// first to the last, and in `text` the `$$` between them are a row break, `\\`.
+///
+/// A numbered row that begins with a relation goes on from the row before. Its `body` then begins with the last member of that
+/// row, before its `span`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Display {
     /// The display with its delimiters; for a row group of an `align`, its rows.

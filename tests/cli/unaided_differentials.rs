@@ -69,4 +69,15 @@ fn a_row_that_begins_with_a_relation_goes_on_from_the_row_before() {
     };
     assert_eq!(verdicts("rows", "notes.tex", &rows(r"\frac{12Q}{5}")), ["certified", "certified"]);
     assert_eq!(verdicts("rows-slip", "notes.tex", &rows(r"\frac{12Q}{7}")), ["certified", "refuted"]);
+    // The slip is corrected in its own row, and a row may end with what follows from it.
+    let slip = rows(r"\frac{12Q}{7}");
+    let desk = Desk::new("differentials-own-row");
+    desk.write("notes.tex", &slip);
+    let report = desk.onshell(&["check", "notes.tex", "--format", "json"]).json();
+    let own = slip.find("12Q").expect("the last row");
+    for repair in report["documents"][0]["equations"][1]["repairs"].as_array().expect("a list") {
+        assert!(repair["start"].as_u64().expect("a place") + 10 >= own as u64, "{repair}");
+    }
+    let arrow = rows(r"\frac{12Q}{5} \quad\Rightarrow\quad Q = \frac{5U}{12}");
+    assert_eq!(verdicts("rows-arrow", "notes.tex", &arrow).len(), 3);
 }

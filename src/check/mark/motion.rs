@@ -142,16 +142,7 @@ impl Motion {
         let Ok(link) = free.link(&coordinate, Relation::Equal, &value) else { return false };
         let Some(solution) = Solution::of_link(&link, &model) else { return false };
         let topic = format!("{} solution", shown(&checker.notes.equations[at]));
-        let context = Context {
-            model: &model,
-            options: checker.options,
-            hypotheses: &[],
-            on_shell: None,
-            topic: &topic,
-            span: checker.notes.equations[at].body,
-            spread: Spread::Declared,
-            local: &[],
-        };
+        let context = context(checker, &model, at, &topic);
         let found = solution_of_laws::by_substitution(&solution, &[], &context).ok().flatten();
         found.is_some_and(|found| found.verdict.holds())
     }
@@ -243,16 +234,7 @@ impl Motion {
         };
         let (Some(other), Some(own)) = (function(&checker.readings[from]), function(own)) else { return false };
         let topic = format!("{} step", shown(&checker.notes.equations[at]));
-        let context = Context {
-            model: checker.model,
-            options: checker.options,
-            hypotheses: &[],
-            on_shell: None,
-            topic: &topic,
-            span: checker.notes.equations[at].body,
-            spread: Spread::Declared,
-            local: &[],
-        };
+        let context = context(checker, checker.model, at, &topic);
         let solves = || solution_of_laws::by_substitution(&own, std::slice::from_ref(&other), &context).ok().flatten();
         own.coordinate != other.coordinate
             && self.starts_alike(checker, &own)
@@ -318,4 +300,18 @@ fn expanded(checker: &Checker<'_>, mut formula: Expr) -> Expr {
         });
     }
     formula
+}
+
+/// The context of a line in a model, without hypotheses.
+fn context<'c>(checker: &Checker<'_>, model: &'c Model, at: usize, topic: &'c str) -> Context<'c> {
+    Context {
+        model,
+        options: checker.options,
+        hypotheses: &[],
+        on_shell: None,
+        topic,
+        span: checker.notes.equations[at].body,
+        spread: Spread::Declared,
+        local: &[],
+    }
 }

@@ -188,6 +188,9 @@ fn places(equation: &Equation, body: Span) -> Vec<Span> {
 pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, search: Search) -> Result<Vec<Suggestion>> {
     let (symbols, macros) = (&checker.model.symbols, &checker.model.macros);
     let mut tried: HashSet<(Span, String)> = HashSet::new();
+    // The left side of a row that goes on from the one before is a part of that one, and is judged there.
+    let display = &checker.notes.equations[wrong.at];
+    let own_start = display.span.start.saturating_sub(display.body.start);
     let own = || Pool::of(std::iter::once(wrong.text), symbols, macros, MISSING);
     // Without a claims file the parts come from the displays shortly before: a book has too many others.
     let first = if checker.options.deduction { wrong.at.saturating_sub(NEAR) } else { 0 };
@@ -206,7 +209,9 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, sear
     let few: [&dyn Fn() -> Pool; 2] = [pools[0], pools[2]];
     let pools: &[&dyn Fn() -> Pool] = if is_short { &few } else { &pools };
     let fitted = || -> Result<Vec<Suggestion>> {
-        let mut found = passing_edits(checker, wrong, &missing_terms::edits(checker, wrong)?)?;
+        let mut edits = missing_terms::edits(checker, wrong)?;
+        edits.retain(|edit| edit.span.start >= own_start);
+        let mut found = passing_edits(checker, wrong, &edits)?;
         found.retain(|suggestion| !suggestion.vacuous);
         Ok(found)
     };
@@ -230,7 +235,11 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, sear
             }
         }
         let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
-        edits.retain(|edit| wrong.concerns(edit) && !tried.contains(&(edit.span, edit.replacement.clone())));
+        edits.retain(|edit| {
+            edit.span.start >= own_start
+                && wrong.concerns(edit)
+                && !tried.contains(&(edit.span, edit.replacement.clone()))
+        });
         // A ± is inserted only before a root, or where the text has another ±.
         let has_root = |edit: &Edit| match edit.slip {
             Slip::Term => edit.replacement.contains("sqrt"),

@@ -294,7 +294,9 @@ fn statements_of(display: &Display, notes: &Notes, macros: &Macros) -> Vec<Displ
         let body = span.shifted(display.body.start);
         let start = if at == 0 { display.span.start } else { body.start };
         let end = if at == last { display.span.end } else { body.end };
-        let line = display.line + notes.source.text[display.span.start..body.start].matches('\n').count();
+        // A row that goes on from the one before begins there, and is counted from its own line.
+        let before = notes.source.text.get(display.span.start..body.start).unwrap_or_default();
+        let line = display.line + before.matches('\n').count();
         Display {
             span: Span::new(start, end),
             body,

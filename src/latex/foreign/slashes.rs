@@ -1,5 +1,6 @@
 //! What a slash divides, where people mean one thing: `\sin\alpha/k` divides the sine, and `e^{-t/RC}` has RC below the slash.
 
+use crate::latex::names::is_letter;
 use crate::source::Span;
 
 use super::units::{braced, skipped};
@@ -98,7 +99,7 @@ pub(super) fn factor(text: &str, at: usize) -> Option<usize> {
     let mut end = match (first, rest.strip_prefix('\\')) {
         (_, Some(command)) => {
             let letters = command.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(command.len());
-            if letters == 0 || !is_letter(&command[..letters]) {
+            if letters == 0 || !is_letter(&format!("\\{}", &command[..letters])) {
                 return None;
             }
             at + 1 + letters
@@ -119,47 +120,6 @@ pub(super) fn factor(text: &str, at: usize) -> Option<usize> {
         end += 1;
     }
     Some(end)
-}
-
-/// Whether a command prints a letter.
-fn is_letter(command: &str) -> bool {
-    const LETTERS: [&str; 34] = [
-        "alpha",
-        "beta",
-        "gamma",
-        "delta",
-        "epsilon",
-        "varepsilon",
-        "zeta",
-        "eta",
-        "theta",
-        "vartheta",
-        "iota",
-        "kappa",
-        "lambda",
-        "mu",
-        "nu",
-        "xi",
-        "rho",
-        "varrho",
-        "sigma",
-        "tau",
-        "upsilon",
-        "phi",
-        "varphi",
-        "chi",
-        "psi",
-        "omega",
-        "Gamma",
-        "Delta",
-        "Theta",
-        "Lambda",
-        "Phi",
-        "Psi",
-        "Omega",
-        "ell",
-    ];
-    LETTERS.contains(&command)
 }
 
 #[cfg(test)]

@@ -26,12 +26,18 @@ fn as_fraction(term: &[Item]) -> Option<Item> {
     let (above, below) = (&term[..at], &term[at + 1..]);
     let factors: Vec<&Item> = below.iter().filter(|item| !is_space(item)).collect();
     let is_product = factors.len() > 1 && factors.iter().all(|item| is_factor(item));
+    // `e^{-k/m t}` may be a rate times the time; in `x^2/4Dt` the place above says that it is not.
+    let is_variable = |item: &Item| {
+        names::printed(item, None)
+            .is_some_and(|printed| ["t", "x", "y", "z", "r"].iter().any(|name| printed.name == Name::plain(*name)))
+    };
+    let is_open = factors.last().is_some_and(|last| is_variable(last)) && !above.iter().any(is_variable);
     let is_mixed = above.iter().filter(|item| !is_space(item)).all(is_figure) && is_figure(factors.first()?);
     let group = |items: &[Item]| {
         let span = items.first()?.span.to(items.last()?.span);
         Some(Box::new(Item { layout: Layout::Group(items.to_vec()), span }))
     };
-    if !is_product || is_mixed {
+    if !is_product || is_mixed || is_open {
         return None;
     }
     let (above, below) = (group(above)?, group(below)?);
