@@ -8,6 +8,7 @@
 
 use crate::formula::symbols::Name;
 use crate::latex::Macros;
+use crate::latex::foreign::products_in_lines;
 use crate::notes::{Display, Notes};
 use crate::source::Span;
 
@@ -68,16 +69,28 @@ fn formula(notes: &Notes, span: Span) -> Option<Display> {
         .iter()
         .any(|mark| text.contains(mark));
     let line = 1 + notes.source.text[..span.start].matches('\n').count();
-    (is_plain && text.matches('=').count() == 1).then(|| Display {
+    (is_plain && text.contains('=')).then(|| Display {
         span,
         body,
         parts: vec![body],
-        text: text.to_owned(),
+        text: with_whole_denominators(text),
         number: None,
         labels: Vec::new(),
         automatic: Vec::new(),
         line,
     })
+}
+
+/// A formula with parentheses around what stands directly after a slash: in a line of text `1/k_BT` has k_B T below it. After a
+/// space or a number over a number, as in `1/2 mv^2`, it does not.
+fn with_whole_denominators(text: &str) -> String {
+    let mut edits = products_in_lines(text);
+    edits.sort_by_key(|(span, _)| std::cmp::Reverse(span.start));
+    let mut text = text.to_owned();
+    for (span, new) in edits {
+        text.replace_range(span.range(), &new);
+    }
+    text
 }
 
 /// The name that a formula defines: the only one on its left side, where the right side has other names and is more than one.

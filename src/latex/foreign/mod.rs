@@ -9,6 +9,7 @@ mod words;
 
 use crate::source::Span;
 
+pub use slashes::products_in_lines;
 pub use words::{says_or, separated};
 
 use slashes::divided;

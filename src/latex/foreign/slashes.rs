@@ -77,6 +77,46 @@ pub(super) fn products_in_exponents(text: &str) -> Vec<(Span, String)> {
     edits
 }
 
+/// The edits that enclose the product directly after a slash: in a line of text `1/k_BT` has k_B T below the slash. Where a space
+/// stands in the product, a number is over a number, as in `1/2mv^2`, or a variable is last, as in `k/mx`, there is none.
+pub fn products_in_lines(text: &str) -> Vec<(Span, String)> {
+    let mut edits = Vec::new();
+    for (slash, _) in text.match_indices('/') {
+        let start = slash + 1;
+        let mut factors: Vec<Span> = Vec::new();
+        let mut end = start;
+        while let Some(next) = factor(text, end) {
+            factors.push(Span::new(end, next));
+            end = match &text[end..next] {
+                command if command.starts_with('\\') && !command.contains('_') => skipped(text, next),
+                _ => next,
+            };
+            end = power(text, end).unwrap_or(end);
+        }
+        let last = factors.last().map(|last| &text[last.range()]);
+        let is_number = |c: char| c.is_ascii_digit();
+        let divides_numbers = text[..slash].ends_with(is_number) && text[start..].starts_with(is_number);
+        let names_a_variable = last.is_some_and(|last| ["t", "x", "y", "z"].contains(&last));
+        let has_differential = factors.iter().any(|factor| ["d", "e"].contains(&&text[factor.range()]));
+        let rest = &text[end..];
+        let ends = rest.is_empty() || rest.starts_with([' ', '+', '-', ')', ']', '}', '=', ',', '.', ';']);
+        if factors.len() > 1 && ends && !divides_numbers && !names_a_variable && !has_differential {
+            edits.push((Span::new(start, start), "(".to_owned()));
+            edits.push((Span::new(end, end), ")".to_owned()));
+        }
+    }
+    edits
+}
+
+/// The end of a power with a number, `^2` or `^{2}`.
+fn power(text: &str, at: usize) -> Option<usize> {
+    let script = text[at..].strip_prefix('^')?;
+    match script.strip_prefix('{') {
+        Some(_) => braced(script).filter(|(inside, _)| inside.chars().all(|c| c.is_ascii_digit())).map(|(_, n)| at + 1 + n),
+        None => script.starts_with(|c: char| c.is_ascii_digit()).then_some(at + 2),
+    }
+}
+
 /// The plain factors that stand side by side from a place on: letters with their subscripts, and numbers. None, if something
 /// else, as a parenthesis, stands among them.
 fn factors(text: &str, from: usize) -> Vec<Span> {
@@ -149,6 +189,25 @@ mod tests {
         // The twins: half of an angle, and a length in units of another one.
         for text in [r"\sin\alpha/2", r"\sin x/L", r"\cos\omega/n"] {
             assert_eq!(plain(text), text);
+        }
+    }
+
+    #[test]
+    fn a_slash_in_a_line_of_text_divides_by_what_stands_directly_after_it() {
+        let enclosed = |text: &str| {
+            let mut edits = super::products_in_lines(text);
+            edits.sort_by_key(|(span, _)| std::cmp::Reverse(span.start));
+            edits.into_iter().fold(text.to_owned(), |mut text, (span, new)| {
+                text.replace_range(span.range(), &new);
+                text
+            })
+        };
+        assert_eq!(enclosed(r"\beta = 1/k_BT"), r"\beta = 1/(k_BT)");
+        assert_eq!(enclosed(r"E = p^2/2m"), r"E = p^2/(2m)");
+        assert_eq!(enclosed(r"k = q/4\pi r^2 + 1"), r"k = q/(4\pi r^2) + 1");
+        // The twins: one factor, a half, a space, a variable, a root.
+        for text in ["1/T", "1/2mv^2", "k/m x", "k/mx", r"1/2\pi\sqrt{LC}", "a/b^{n}c", "dx/dt"] {
+            assert_eq!(enclosed(text), text);
         }
     }
 }

@@ -294,7 +294,22 @@ impl Reader<'_> {
         let refused = |reason: NoDerivative| self.refused(&reason, span);
         let fixed = self.momenta(formula);
         let scope = Scope { symbols: self.symbols, fixed: &fixed };
-        let others = derivative::variables(formula, scope).map_err(refused)?;
+        // What stands in the formula of the name by which is differentiated is no variable beside it.
+        let itself = [fixed.as_slice(), &[by.id]].concat();
+        let others = derivative::variables(formula, Scope { fixed: &itself, ..scope }).map_err(refused)?;
+        if let Some(own) = &self.symbols.entry(by.id).definition
+            && !fixed.contains(&by.id)
+            && let Ok(own) = derivative::variables(own, scope)
+            && let Some(beside) = others.iter().find(|other| *other != by && own.contains(other))
+        {
+            let name = |id: SymbolId| self.symbols.entry(id).name.to_string();
+            let (by, beside) = (name(by.id), name(beside.id));
+            return Err(Fault::ambiguous(
+                span,
+                format!("{beside} may be fixed in this derivative, or change with {by}, whose formula contains it"),
+            )
+            .help(format!("write {beside} or {by} alone in what is differentiated")));
+        }
         let is_momentum = |other: &&Variable| fixed.contains(&other.id) && self.symbols.entry(other.id).is_momentum();
         // The momentum of a cyclic coordinate stands beside the velocities of the others in a Routhian.
         let coordinate = |momentum: &Variable| {

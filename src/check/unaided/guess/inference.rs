@@ -72,9 +72,10 @@ fn completed(
         let look = |checker: Checker<'_>| {
             let values = values::values(checker.readings, notes, macros, usages);
             let misshapen = values::misshapen(checker.readings, notes, &checker.model.macros);
-            Ok((missing(checker.readings), foreign(checker.model), values, misshapen))
+            let lacking: Vec<bool> = checker.readings.iter().map(lacks_a_name).collect();
+            Ok((missing(checker.readings), lacking, foreign(checker.model), values, misshapen))
         };
-        let Ok((missing, foreign, values, misshapen)) = with_checker(run, &claims, notes, look) else {
+        let Ok((missing, lacking, foreign, values, misshapen)) = with_checker(run, &claims, notes, look) else {
             // Differentials that are no rates here are quantities of their own.
             if guess.without_rates() {
                 continue;
@@ -84,18 +85,35 @@ fn completed(
         best = Some(claims);
         // What a display gives a formula is declared only if that display does not become readable otherwise.
         let is_given = |name: &String| usages.iter().any(|usage| usage.given && usage.name.to_string() == *name);
-        let (given, others): (Vec<String>, Vec<String>) = missing.into_iter().partition(is_given);
+        let (mut given, others): (Vec<String>, Vec<String>) = missing.into_iter().partition(is_given);
+        given.retain(|name| !guess.declares(name));
         let is_new = guess.add(&others, directions);
         let goes_on = guess.release(&foreign)
             || is_new
             || guess.add_values(&values)
             || guess.reshape(&misshapen)
-            || guess.add(&given, directions);
+            || guess.add(&first_of(given, usages, &lacking), directions);
         if !goes_on {
             break;
         }
     }
     Ok(best)
+}
+
+/// Those of the names with a formula that are the first to be declared: their displays cannot be read for another reason than
+/// a missing name. What lacks only these may be read with them.
+fn first_of(given: Vec<String>, usages: &[Usage], lacking: &[bool]) -> Vec<String> {
+    let is_first = |name: &&String| {
+        let usage = usages.iter().find(|usage| usage.name.to_string() == **name);
+        usage.and_then(|usage| usage.introduced).and_then(|at| lacking.get(at)).is_none_or(|lacks| !lacks)
+    };
+    let first: Vec<String> = given.iter().filter(is_first).cloned().collect();
+    if first.is_empty() { given.into_iter().take(1).collect() } else { first }
+}
+
+/// Whether a display cannot be read for lack of a name.
+fn lacks_a_name(reading: &crate::latex::Reading) -> bool {
+    faults(reading).any(|fault| matches!(fault.missing, Some(Missing::Name(_))))
 }
 
 /// Whether a hat marks a direction in notes, and no operator.
@@ -249,6 +267,11 @@ impl Guess {
         }
     }
 
+    /// Whether a name is declared.
+    fn declares(&self, name: &str) -> bool {
+        self.keys.values().any(|group| group.get(name).is_some())
+    }
+
     /// The names that a key declares.
     fn names(&self, role: &str) -> Vec<String> {
         let group = self.keys.get(role).and_then(Value::as_object);
@@ -269,7 +292,7 @@ impl Guess {
         let mut is_new = false;
         let has_motion = self.keys.contains_key("coordinates");
         for OneValue { name, moves, is_vector, differential_of } in values {
-            if !self.keys.values().any(|group| group.get(name).is_some()) {
+            if !self.declares(name) {
                 is_new = true;
                 // All differentials of a display are taken along one process, so they are as rates are.
                 if let Some(of) = differential_of.as_ref().filter(|_| !has_motion && !is_vector) {
@@ -326,8 +349,7 @@ impl Guess {
                 _ => parsed,
             };
             let name = parsed.to_string();
-            let is_known = self.keys.values().any(|group| group.get(&name).is_some());
-            if !is_known && !is_reserved_name(&parsed) && !name.starts_with("\\hat") {
+            if !self.declares(&name) && !is_reserved_name(&parsed) && !name.starts_with("\\hat") {
                 self.declare("constants", &name, "any");
                 is_new = true;
             }
