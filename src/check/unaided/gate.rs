@@ -295,6 +295,7 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     if (solves || basis != Basis::Definitions) && parentheses(&repair.replacement) > parentheses(left_out) {
         return false;
     }
+    let is_put_in = left_out.trim().is_empty();
     corrected.replace_range(start..end, &repair.replacement);
     let mut symbols = model.symbols.clone();
     let reading = read_display(&corrected, &mut symbols, &model.macros);
@@ -317,6 +318,11 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     let mut new: Vec<&SymbolId> = after.iter().filter(|id| !before.contains(id)).collect();
     new.dedup();
     if after.len() > before.len() && !new.is_empty() && (is_zero || new.len() > 1) {
+        return false;
+    }
+    // What lacks a function of a symbol holds at a special value of it: at the start, at the top.
+    let is_function = ["\\sin", "\\cos", "\\tan", "e^", "\\exp"].iter().any(|name| repair.replacement.contains(name));
+    if is_put_in && !new.is_empty() && is_function {
         return false;
     }
     // A name that no display before has is new, and no slip for another one. Neither is a free constant that the motion

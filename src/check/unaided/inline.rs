@@ -12,7 +12,7 @@ use crate::latex::foreign::products_in_lines;
 use crate::notes::{Display, Notes};
 use crate::source::Span;
 
-use crate::check::document::inferred::prose::{body_of, follows_condition, is_announced};
+use crate::check::document::inferred::prose::{body_of, follows_condition, is_announced, is_named};
 use crate::check::unaided::guess::names::{Usage, names_of};
 
 /// The fewest names of a formula that is a relation, and no value or special case.
@@ -36,7 +36,7 @@ pub(super) fn with_definitions(notes: &Notes, displays: Vec<Display>, macros: &M
         let name = name(&display, macros).filter(|name| !defined.contains(name));
         let is_free = |usage: &Usage| usage.introduced.is_none() && usage.first + 1 >= authors;
         let defines = |name: &String| {
-            (is_announced(notes, *span) || is_sum())
+            (is_announced(notes, *span) || is_named(notes, *span) || is_sum())
                 && usages.iter().find(|usage| usage.name.to_string() == *name).is_some_and(is_free)
         };
         if let Some(name) = name.filter(defines) {

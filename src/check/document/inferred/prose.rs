@@ -34,6 +34,66 @@ const ANNOUNCE: [&str; 14] = [
     "abbreviate",
 ];
 
+/// Words for what a letter may be.
+const QUANTITIES: [&str; 56] = [
+    "acceleration",
+    "abbreviation",
+    "amplitude",
+    "angle",
+    "area",
+    "capacitance",
+    "charge",
+    "coefficient",
+    "constant",
+    "coordinate",
+    "current",
+    "definition",
+    "density",
+    "distance",
+    "efficiency",
+    "energy",
+    "entropy",
+    "factor",
+    "field",
+    "flux",
+    "force",
+    "frequency",
+    "function",
+    "heat",
+    "height",
+    "impedance",
+    "index",
+    "inertia",
+    "intensity",
+    "lagrangian",
+    "length",
+    "mass",
+    "moment",
+    "momentum",
+    "notation",
+    "number",
+    "parameter",
+    "period",
+    "phase",
+    "potential",
+    "power",
+    "pressure",
+    "quantity",
+    "radius",
+    "ratio",
+    "resistance",
+    "speed",
+    "temperature",
+    "time",
+    "torque",
+    "variable",
+    "velocity",
+    "voltage",
+    "volume",
+    "wavelength",
+    "work",
+];
+
 /// Words after which a formula is a condition or a case.
 const CONDITION: [&str; 14] = [
     "if", "when", "whenever", "for", "at", "as", "until", "unless", "near", "limit", "case", "assuming", "suppose",
@@ -160,6 +220,18 @@ pub(crate) fn is_announced(notes: &Notes, span: Span) -> bool {
     let words = words_before(notes, span);
     let Some(announced) = last(&words, &ANNOUNCE) else { return false };
     last(&words, &CONDITION).is_none_or(|condition| condition < announced) && words.len() - announced <= MOST_WORDS
+}
+
+/// Whether words name the quantity that stands on the left side of a formula in a sentence, directly before it, and no
+/// condition: "the potential energy $V = …$", "(here $\\gamma = …$)", "notation: $\\beta = …$".
+pub(crate) fn is_named(notes: &Notes, span: Span) -> bool {
+    let words = words_before(notes, span);
+    let is_alone = words.iter().all(|word| ["and", "here"].contains(&word.as_str()));
+    let is_quantity = |word: &String| {
+        let is_it = |name: &&str| word.strip_prefix(*name).is_some_and(|rest| ["", "s", "es"].contains(&rest));
+        QUANTITIES.iter().any(is_it) || ["is", "are", "by", "called", "denote"].contains(&word.as_str())
+    };
+    last(&words, &CONDITION).is_none() && (is_alone || words.last().is_some_and(is_quantity))
 }
 
 /// Whether the sentence of a formula begins with a condition.

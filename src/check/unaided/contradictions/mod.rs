@@ -2,13 +2,16 @@
 //!
 //! Where a display does not follow from a definition, the slip may be in either ([`Culprit`]). The other displays that use the
 //! name decide. Where none does, one of the two is wrong and nobody can tell which: the report says so, shows an edit of each,
-//! and calls neither wrong.
+//! and calls neither wrong. The same is asked of relations that are taken for granted ([`premises`]).
+
+pub(super) mod premises;
 
 use crate::Result;
 use crate::check::document::checker::Checker;
-use crate::check::repair::culprit::{Culprit, is_common};
+use crate::check::repair::culprit::is_common;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
+use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
 
@@ -32,37 +35,41 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
         }
         let (id, name) = (found[place].id.clone(), found[defined].id.clone());
         if is_common_there && (!culprit.others.is_empty() || !is_common_here) {
-            found[defined] = refuted(&found[defined], &culprit, &id);
+            let message = match culprit.others.len() {
+                0 => format!("({id}) contradicts this definition, and a likely slip in it explains that"),
+                1 => format!("({id}) and another display contradict this definition"),
+                others => format!("({id}) and {others} other displays contradict this definition"),
+            };
+            found[defined] = refuted(&found[defined], &culprit.repair, message);
             for equation in
                 found.iter_mut().filter(|equation| equation.id == id || culprit.others.contains(&equation.id))
             {
                 *equation = consistent(equation, &name);
             }
         } else {
-            let message = format!("({id}) contradicts this, and one of the two is wrong");
-            found[defined] = undecided(&found[defined], message);
-            found[place] = open(&found[place], &name, culprit);
+            found[defined] = contradicted(&found[defined], &id);
+            found[place] = open(&found[place], &name, culprit.repair);
         }
     }
     Ok(())
 }
 
-/// The definition, called wrong.
-fn refuted(equation: &Equation, culprit: &Culprit, user: &str) -> Equation {
-    let mut repair = culprit.repair.clone();
+/// A definition or a premise, called wrong.
+fn refuted(equation: &Equation, repair: &Repair, message: String) -> Equation {
+    let mut repair = repair.clone();
     repair.shared = None;
-    let message = match culprit.others.len() {
-        0 => format!("({user}) contradicts this definition, and a likely slip in it explains that"),
-        1 => format!("({user}) and another display contradict this definition"),
-        others => format!("({user}) and {others} other displays contradict this definition"),
-    };
     let finding = Finding::new(Code::DefinitionContradicted, Verdict::Refuted, equation.finding.span, message);
     Equation { finding, parts: Vec::new(), repairs: vec![repair], ok: false, ..equation.clone() }
 }
 
-/// A display that follows once a definition is corrected.
-fn consistent(equation: &Equation, definition: &str) -> Equation {
-    undecided(equation, format!("this follows once ({definition}) is corrected"))
+/// A display that follows once another one is corrected.
+fn consistent(equation: &Equation, other: &str) -> Equation {
+    undecided(equation, format!("this follows once ({other}) is corrected"))
+}
+
+/// A display that another one contradicts, where nobody can tell which of the two is wrong.
+fn contradicted(equation: &Equation, other: &str) -> Equation {
+    undecided(equation, format!("({other}) contradicts this, and one of the two is wrong"))
 }
 
 fn undecided(equation: &Equation, message: String) -> Equation {
@@ -70,11 +77,11 @@ fn undecided(equation: &Equation, message: String) -> Equation {
     Equation { finding, parts: Vec::new(), repairs: Vec::new(), elsewhere: Vec::new(), ok: true, ..equation.clone() }
 }
 
-/// A display that contradicts a definition, where nobody can tell which of the two is wrong.
-fn open(equation: &Equation, definition: &str, culprit: Culprit) -> Equation {
-    let message = format!("this contradicts ({definition}), and one of the two is wrong");
+/// A display that contradicts another one, where nobody can tell which of the two is wrong; `repair` is an edit of the other.
+fn open(equation: &Equation, other: &str, repair: Repair) -> Equation {
+    let message = format!("this contradicts ({other}), and one of the two is wrong");
     let finding =
         Finding { verdict: Verdict::Undecided, code: Code::Contradiction, message, ..equation.finding.clone() };
-    let repairs = equation.repairs.iter().take(1).cloned().chain([culprit.repair]).collect();
+    let repairs = equation.repairs.iter().take(1).cloned().chain([repair]).collect();
     Equation { finding, parts: Vec::new(), repairs, ok: false, ..equation.clone() }
 }

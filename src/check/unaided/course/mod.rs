@@ -4,6 +4,8 @@
 //! slip is sought, first without premises and then with those that it could follow from. What is no slip is taken for
 //! granted, and is a premise of what comes later. What is wrong is no premise.
 
+mod slips;
+
 use std::collections::{HashMap, VecDeque};
 
 use rayon::prelude::*;
@@ -12,12 +14,12 @@ use crate::Result;
 use crate::check::document::checker::Checker;
 use crate::check::document::setup::Run;
 use crate::check::model::meaning::Meaning;
-use crate::check::repair::suggest::Search;
 use crate::check::sample::context::Options;
-use crate::check::unaided::gate::{self, Basis};
+use crate::check::unaided::contradictions;
+use crate::check::unaided::gate;
 use crate::check::unaided::inline;
 use crate::check::unaided::premises::{self, Premise};
-use crate::check::unaided::prose::{self, Announced, Words};
+use crate::check::unaided::prose::{self, Announced};
 use crate::check::unaided::scope::Scope;
 use crate::check::unaided::screen;
 use crate::check::unaided::signs::{self, Positive};
@@ -67,9 +69,14 @@ pub(super) fn judged_again(
         at_first: VecDeque::new(),
         doubtful: Vec::new(),
         other_case: false,
+        blamed: Vec::new(),
+        confirmed: Vec::new(),
         before: known,
     };
-    (0..scope.carried).for_each(|at| course.note_symbols(at));
+    for at in 0..scope.carried {
+        course.note_symbols(at);
+        course.note_lost_derivative(at);
+    }
     let mut found = Vec::new();
     for at in scope.carried..checker.notes.equations.len() {
         let equation = match known(at) {
@@ -80,11 +87,12 @@ pub(super) fn judged_again(
         if equation.finding.verdict == Verdict::Assumed && course.is_given_again(at, section) && section > scope.carried
         {
             found.truncate(section - scope.carried);
-            return Ok(found);
+            break;
         }
         course.note_symbols(at);
         found.push(equation);
     }
+    contradictions::premises::weighed(&course, &mut found)?;
     Ok(found)
 }
 
@@ -110,6 +118,10 @@ pub(super) struct Course<'c, 'a> {
     doubtful: Vec<SymbolId>,
     /// Whether a display began another case: it gives a name another formula, and the words before it say so.
     other_case: bool,
+    /// The displays that were called wrong given premises, with these.
+    pub(super) blamed: Vec<(usize, Vec<Premise>)>,
+    /// The places of the premises from which another display followed.
+    pub(super) confirmed: Vec<usize>,
     /// The findings that are known already.
     before: &'c (dyn Fn(usize) -> Option<Equation> + Sync),
 }
@@ -119,6 +131,13 @@ impl Course<'_, '_> {
         let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
         for (id, _) in members.flat_map(Expr::symbols) {
             self.seen.entry(id).or_insert(at);
+        }
+    }
+
+    /// Notes the names of a display that says nothing of them: K = ∫ u (dp/du) du where no formula for p is known.
+    fn note_lost_derivative(&mut self, at: usize) {
+        if self.lost_derivative(at) {
+            self.doubtful.extend(self.checker.readings[at].introduced.iter().map(|new| new.symbol));
         }
     }
 
@@ -206,10 +225,7 @@ impl Course<'_, '_> {
     }
 
     fn judge(&mut self, at: usize) -> Result<Equation> {
-        // K = ∫ u (dp/du) du says nothing of K where no formula for p is known.
-        if self.lost_derivative(at) {
-            self.doubtful.extend(self.checker.readings[at].introduced.iter().map(|new| new.symbol));
-        }
+        self.note_lost_derivative(at);
         let none = Claim::default();
         let claim = self.checker.assigned[at].unwrap_or(&none);
         let found = self.by_itself(at)?;
@@ -247,6 +263,7 @@ impl Course<'_, '_> {
         }
         for set in &sets {
             if let Some(follows) = self.follows_from(at, set, positive.as_ref())? {
+                self.confirmed.extend(set.iter().map(|premise| premise.at));
                 return Ok(gate::as_it_counts(follows));
             }
         }
@@ -277,6 +294,7 @@ impl Course<'_, '_> {
             let where_positive = positive.as_ref().map(|positive| positive.added_to(&claim));
             for claim in std::iter::once(claim).chain(where_positive) {
                 if let Some(wrong) = self.slip(at, &claim, set, &words)? {
+                    self.blamed.push((at, set.iter().map(|premise| (*premise).clone()).collect()));
                     return Ok(wrong);
                 }
             }
@@ -440,51 +458,9 @@ impl Course<'_, '_> {
         }
         Ok(gate::as_following(self.equation(&self.quick, at, claim)?))
     }
-
-    /// The finding that a display is wrong, if a likely slip separates it from what follows.
-    pub(super) fn slip(&self, at: usize, claim: &Claim, set: &[&Premise], words: &Words) -> Result<Option<Equation>> {
-        let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
-        let (basis, search) = match set {
-            [] => (Basis::Definitions, Search::Thorough),
-            _ if claim.solves.is_some() => (Basis::Solution, Search::Likely),
-            [_] => (Basis::Premise, Search::Likely),
-            _ => (Basis::Premises, Search::Likely),
-        };
-        let solves =
-            set.is_empty() && (solutions::is_printed(checker, at, claim) || words.connected && self.restates(at));
-        if !solves && !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words)
-            || words.announced == Announced::Assumption && !(words.only_nearness && self.approximates(at))
-            || words.other_case && !self.is_by_itself(at)
-        {
-            return Ok(None);
-        }
-        let quick = self.equation(&self.quick, at, claim)?;
-        if quick.finding.verdict != Verdict::Refuted {
-            return Ok(None);
-        }
-        let mut repairs = checker.own_repairs(at, &quick, claim, search)?;
-        let is_solution = solves || basis == Basis::Solution;
-        let around = gate::Around { model: checker.model, before: &self.seen, basis, words, solves: is_solution };
-        repairs.retain(|repair| gate::is_likely(repair, display, &around));
-        if solves && repairs.is_empty() {
-            repairs = checker.repairs_of_own_definition(self.run, at)?;
-            repairs.retain(|repair| gate::is_likely(repair, display, &around));
-        }
-        if repairs.is_empty() {
-            return Ok(None);
-        }
-        let mut found = Equation { repairs, ..self.equation(checker, at, claim)? };
-        if !set.is_empty() {
-            found.finding.message = match basis {
-                Basis::Solution => format!("this does not solve {}", named(set)),
-                _ => format!("{}, given {}", found.finding.message, named(set)),
-            };
-        }
-        Ok(Some(found))
-    }
 }
 
-fn named(set: &[&Premise]) -> String {
+pub(super) fn named(set: &[&Premise]) -> String {
     let mut ids: Vec<String> = set.iter().map(|premise| format!("({})", premise.id)).collect();
     ids.dedup();
     ids.join(", ")

@@ -1,0 +1,131 @@
+//! Displays that contradict what is taken for granted: whether the slip is in the premise.
+//!
+//! A display that is called wrong given a premise may be right, and the premise wrong. Where one common edit of the premise makes
+//! the display follow, as one edit of the display does, the other displays decide: a premise from which something follows is
+//! right, and one that several displays contradict with the same edit is wrong. Else one of the two is wrong, and nobody can tell
+//! which.
+
+use crate::Result;
+use crate::check::repair::culprit::is_common;
+use crate::check::repair::ranking::{adds_parentheses, rank};
+use crate::check::repair::suggest::is_in_source;
+use crate::check::unaided::contradictions::{consistent, contradicted, open, refuted};
+use crate::check::unaided::course::Course;
+use crate::check::unaided::premises::{self, Premise};
+use crate::check::verdict::Verdict;
+use crate::check::verdict::repair::{Repair, Shared};
+use crate::check::verdict::report::Equation;
+use crate::latex::slips::{self, Pool};
+use crate::notes::claims::{Claim, Spanned};
+use crate::source::Span;
+
+/// The most edits of one premise that are tried, the likeliest first.
+const TRIED: usize = 80;
+
+/// An edit of a premise with which a display follows.
+struct Suspicion {
+    /// The place of the display that contradicts the premise.
+    by: usize,
+    /// The place of the premise.
+    premise: usize,
+    /// The edit of the premise.
+    repair: Repair,
+}
+
+/// Weighs the displays that were called wrong given premises.
+///
+/// # Errors
+/// As for a check of an equation.
+pub(in crate::check::unaided) fn weighed(course: &Course<'_, '_>, found: &mut [Equation]) -> Result<()> {
+    let first = course.scope.carried;
+    let is_wrong = |at: usize, found: &[Equation]| {
+        let equation = at.checked_sub(first).and_then(|place| found.get(place));
+        equation.is_some_and(|equation| equation.finding.verdict == Verdict::Refuted)
+    };
+    let mut suspicions = Vec::new();
+    for (at, set) in course.blamed.iter().filter(|(at, _)| is_wrong(*at, found)) {
+        let is_common_here = found[at - first].repairs.iter().any(|repair| is_common(repair.slip));
+        for premise in set {
+            let is_open = !premise.is_inline && premise.at >= first && !course.confirmed.contains(&premise.at);
+            if let Some(repair) = is_open.then(|| edited(course, *at, set, premise)).transpose()?.flatten() {
+                suspicions.push((is_common_here, Suspicion { by: *at, premise: premise.at, repair }));
+            }
+        }
+    }
+    for (_, suspicion) in &suspicions {
+        let is_same = |other: &&Suspicion| {
+            other.premise == suspicion.premise
+                && other.repair.span == suspicion.repair.span
+                && other.repair.replacement == suspicion.repair.replacement
+        };
+        let alike: Vec<usize> =
+            suspicions.iter().map(|(_, other)| other).filter(is_same).map(|other| other.by).collect();
+        let premise = suspicion.premise - first;
+        if alike.len() < 2 || !alike.iter().all(|at| is_wrong(*at, found)) {
+            continue;
+        }
+        let ids: Vec<String> = alike.iter().map(|at| format!("({})", found[at - first].id)).collect();
+        found[premise] =
+            refuted(&found[premise], &suspicion.repair, format!("{} contradict this", ids.join(" and ")));
+        let name = found[premise].id.clone();
+        alike.iter().for_each(|at| found[at - first] = consistent(&found[at - first], &name));
+    }
+    for (is_common_here, Suspicion { by, premise, repair }) in suspicions {
+        let (by, premise) = (by - first, premise - first);
+        let is_taken = found[premise].finding.verdict == Verdict::Assumed;
+        if is_common_here && is_taken && is_wrong(by + first, found) {
+            let (id, name) = (found[by].id.clone(), found[premise].id.clone());
+            found[premise] = contradicted(&found[premise], &id);
+            found[by] = open(&found[by], &name, repair);
+        }
+    }
+    Ok(())
+}
+
+/// The likeliest edit of a premise with which a display follows from the set; `None`, if no common one does that.
+fn edited(course: &Course<'_, '_>, at: usize, set: &[Premise], premise: &Premise) -> Result<Option<Repair>> {
+    let checker = course.checker;
+    let display = &checker.notes.equations[premise.at];
+    let (symbols, macros) = (&checker.model.symbols, &checker.model.macros);
+    let others = set.iter().filter(|other| *other != premise);
+    let others: Vec<&Premise> = others.collect();
+    for statement in checker.readings[premise.at].statements.iter().flatten() {
+        let span = statement.span;
+        let Some(text) = display.text.get(span.range()) else { continue };
+        if premise.part.as_ref().is_some_and(|part| part != text) {
+            continue;
+        }
+        let offset = display.body.start + span.start;
+        let beside = checker.readings[premise.at].statements.iter().flatten().filter(|other| other.span != span);
+        let beside = beside.filter(|_| premise.part.is_none());
+        let beside: Vec<String> =
+            beside.filter_map(|other| Some(display.text.get(other.span.range())?.to_owned())).collect();
+        let mut edits = slips::corrections(text, symbols, macros, &Pool::empty());
+        edits.retain(|edit| {
+            is_common(edit.slip) && !adds_parentheses(text, edit) && is_in_source(checker, text, edit, offset)
+        });
+        edits.sort_by_key(|edit| rank(text, edit, false));
+        for edit in edits.into_iter().take(TRIED) {
+            let said = std::iter::once(edit.applied(text)).chain(beside.iter().cloned());
+            let said = said.map(|text| Spanned::new(text, Span::default()));
+            let throughout = premises::claim(&others).throughout.into_iter().chain(said).collect();
+            let claim = Claim { throughout, ..Claim::default() };
+            // An edit may make nonsense of the premise.
+            if checker.hypotheses(&claim).is_err() || course.passes(at, &claim)?.is_none() {
+                continue;
+            }
+            let of = checker.notes.equations[premise.at].id().unwrap_or_default().to_owned();
+            let mends = vec![checker.notes.equations[at].id().unwrap_or_default().to_owned()];
+            return Ok(Some(Repair {
+                span: edit.span.shifted(offset),
+                replacement: edit.replacement,
+                slip: edit.slip,
+                verdict: Verdict::Verified,
+                step: false,
+                idle: false,
+                shared: Some(Shared { of, mends }),
+            }));
+        }
+    }
+    Ok(None)
+}

@@ -1,0 +1,66 @@
+//! The slip that separates a display from what follows.
+
+use crate::Result;
+use crate::check::repair::suggest::Search;
+use crate::check::unaided::course::{Course, named};
+use crate::check::unaided::gate::{self, Basis};
+use crate::check::unaided::premises::Premise;
+use crate::check::unaided::prose::{Announced, Words};
+use crate::check::unaided::solutions;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::repair::Repair;
+use crate::check::verdict::report::Equation;
+use crate::code::Code;
+use crate::notes::claims::Claim;
+
+/// The inequalities in print.
+const INEQUALITIES: [&str; 12] = ["<", ">", "≤", "≥", "\\lt", "\\gt", "\\le", "\\ge", "\\leq", "\\geq", "\\leqslant", "\\geqslant"];
+
+impl Course<'_, '_> {
+    /// The finding that a display is wrong, if a likely slip separates it from what follows.
+    pub(in crate::check::unaided) fn slip(&self, at: usize, claim: &Claim, set: &[&Premise], words: &Words) -> Result<Option<Equation>> {
+        let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
+        let (basis, search) = match set {
+            [] => (Basis::Definitions, Search::Thorough),
+            _ if claim.solves.is_some() => (Basis::Solution, Search::Likely),
+            [_] => (Basis::Premise, Search::Likely),
+            _ => (Basis::Premises, Search::Likely),
+        };
+        let solves =
+            set.is_empty() && (solutions::is_printed(checker, at, claim) || words.connected && self.restates(at));
+        if !solves && !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words)
+            || words.announced == Announced::Assumption && !(words.only_nearness && self.approximates(at))
+            || words.other_case && !self.is_by_itself(at)
+        {
+            return Ok(None);
+        }
+        let quick = self.equation(&self.quick, at, claim)?;
+        if quick.finding.verdict != Verdict::Refuted {
+            return Ok(None);
+        }
+        let mut repairs = checker.own_repairs(at, &quick, claim, search)?;
+        let is_solution = solves || basis == Basis::Solution;
+        let around = gate::Around { model: checker.model, before: &self.seen, basis, words, solves: is_solution };
+        repairs.retain(|repair| gate::is_likely(repair, display, &around));
+        // An inequality holds in a range that the notes need not print; only its direction can be seen to be wrong.
+        if quick.finding.code == Code::InequalityFails {
+            let turned = |repair: &Repair| INEQUALITIES.contains(&checker.source.slice(repair.span).trim());
+            repairs.retain(turned);
+        }
+        if solves && repairs.is_empty() {
+            repairs = checker.repairs_of_own_definition(self.run, at)?;
+            repairs.retain(|repair| gate::is_likely(repair, display, &around));
+        }
+        if repairs.is_empty() {
+            return Ok(None);
+        }
+        let mut found = Equation { repairs, ..self.equation(checker, at, claim)? };
+        if !set.is_empty() {
+            found.finding.message = match basis {
+                Basis::Solution => format!("this does not solve {}", named(set)),
+                _ => format!("{}, given {}", found.finding.message, named(set)),
+            };
+        }
+        Ok(Some(found))
+    }
+}
