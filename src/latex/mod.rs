@@ -58,6 +58,7 @@ pub use definitions::DefinedSymbol;
 #[cfg(feature = "notes")]
 pub use macros::Macros;
 #[cfg(feature = "notes")]
+pub use pieces::says_constant;
 pub use reader::has_coefficient;
 #[cfg(feature = "notes")]
 pub use reader::{derivative_name, pairs_by_name, read_formula};

@@ -465,8 +465,8 @@ fn spelled_constant(items: &[&Item], at: usize) -> Option<(Span, usize)> {
         .then(|| (items[at].span.to(last.span), word.len()))
 }
 
-/// `\text{ is constant}`, `\mathrm{const}`.
-fn says_constant(item: &Item) -> Option<Span> {
+/// The place of the words that a side is constant: `\text{ is constant}`, `\mathrm{const}`.
+pub fn says_constant(item: &Item) -> Option<Span> {
     let word = match &item.layout {
         Layout::Text(word) => word.clone(),
         Layout::Style(style, _) if style == "\\mathrm" => names::printed(item, None)?.name.base,

@@ -304,6 +304,10 @@ fn passing_edits(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, edits: &[Edit
         .par_chunks(share)
         .map(|share| {
             let whole = Trial::new(checker, wrong.at, wrong.reading, wrong.claim)?;
+            // Without a claims file a search that costs the full check for each edit is not worth it.
+            if checker.options.deduction && whole.has_no_screen() {
+                return Ok(Vec::new());
+            }
             let cuts: Vec<_> = wrong.steps.iter().map(|step| (*step, step_of(wrong.reading, *step))).collect();
             let mut steps = Vec::new();
             for (step, now) in cuts.iter().filter(|_| is_plain(wrong.claim)) {

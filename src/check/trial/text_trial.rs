@@ -29,7 +29,7 @@ use crate::check::kinds::small;
 use crate::check::kinds::small::ShrinkingFamily;
 use crate::check::kinds::solution;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
-use crate::check::model::sampling::Spread;
+use crate::check::model::sampling::{Mode, Spread};
 use crate::check::sample::context::{Context, Options};
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::setting::FEWEST;
@@ -135,11 +135,16 @@ impl<'d, 'a> Trial<'d, 'a> {
         let topic = format!("{} trial {statement}", self.topic);
         let always = self.claim.holds.as_ref().is_some_and(|holds| holds.value == Holds::Always);
         let context = self.context(&topic);
-        let mut mode = context.mode(!always && self.checker.model.has_motion(), members);
-        // A text may need one derivative more than the original.
-        mode.order = (mode.order + 1).clamp(3, TERMS - 1);
-        let drawn = context.ensemble_of(self.checker.model, mode, STATES.min(self.checker.options.points), "trial");
-        drawn.ok().filter(|ensemble| !ensemble.states.is_empty())
+        let mode = context.mode(!always && self.checker.model.has_motion(), members);
+        let all = self.checker.options.points;
+        let drawn = |order: usize, points: usize| {
+            let mode = Mode { order, ..mode };
+            let drawn = context.ensemble_of(self.checker.model, mode, points, "trial");
+            drawn.ok().filter(|ensemble| !ensemble.states.is_empty())
+        };
+        // A text may need one derivative more than the original. Where no state has so many, fewer refute most texts too.
+        let found = drawn((mode.order + 1).clamp(3, TERMS - 1), STATES.min(all));
+        found.or_else(|| drawn(mode.order, STATES.min(all))).or_else(|| drawn(mode.order, all))
     }
 
     /// The screening families of a statement that claims something for small quantities.
@@ -206,6 +211,11 @@ impl<'d, 'a> Trial<'d, 'a> {
             false if parts.iter().any(is_wrong) => Answer::Refuted,
             false => Answer::Refused,
         })
+    }
+
+    /// Whether premises leave no state at which a text could be refuted, so that each text would need the full check.
+    pub fn has_no_screen(&self) -> bool {
+        !self.hypotheses.is_empty() && !self.screens.is_empty() && self.screens.iter().all(Option::is_none)
     }
 
     /// Whether the original passes the screening states.

@@ -213,16 +213,17 @@ pub(super) fn left_open(equation: Equation) -> Equation {
     Equation { finding, parts: Vec::new(), repairs: Vec::new(), elsewhere: Vec::new(), ok: true, ..equation }
 }
 
+fn taken_for_granted(span: Span) -> Finding {
+    let message = "this does not follow from the other displays; it is taken for granted, and was not checked";
+    Finding::new(Code::Assumed, Verdict::Assumed, span, message)
+}
+
 fn finding_as_it_counts(finding: Finding) -> Finding {
     let is_untested =
         matches!(finding.code, Code::DefinitionUnused | Code::DefinitionNotTested | Code::DefinitionUpToSign);
     match finding.verdict {
-        Verdict::Refuted => Finding::new(
-            Code::Assumed,
-            Verdict::Assumed,
-            finding.span,
-            "this does not follow from the other displays; it is taken for granted, and was not checked",
-        ),
+        Verdict::Refuted => taken_for_granted(finding.span),
+        Verdict::Undecided if finding.code == Code::NoMotion => taken_for_granted(finding.span),
         // The condition is said; nobody declared ranges that contradict it.
         Verdict::Domain if finding.code == Code::OneBranch => Finding { verdict: Verdict::Verified, ..finding },
         // The ranges of the symbols were guessed, so where both sides are defined they must agree, and no more.

@@ -30,6 +30,7 @@ mod scope;
 mod screen;
 mod signs;
 mod solutions;
+mod states;
 
 use std::collections::{HashMap, HashSet};
 

@@ -12,7 +12,10 @@ use crate::source::Span;
 const RECENT: usize = 8;
 
 /// The most sets of premises that are tried.
-const TRIED: usize = 6;
+const TRIED: usize = 10;
+
+/// The most sets with which a slip is sought in what is said to be constant.
+const PAIRS: usize = 3;
 
 /// The most premises in a set.
 const MOST: usize = 3;
@@ -24,14 +27,27 @@ pub(super) struct Premise {
     pub at: usize,
     /// The name of its display.
     pub id: String,
-    /// The statement of the display, where it is one of several: its LaTeX.
-    pub part: Option<String>,
+    /// What of the display it says.
+    pub said: Said,
     /// The symbols that it relates; those that a formula defines are replaced by what the formula contains.
     pub symbols: Vec<SymbolId>,
     /// The number of its equalities.
     pub equalities: usize,
     /// Whether it is a formula in a sentence.
     pub is_inline: bool,
+    /// The places of the premises from which it follows, if it does.
+    pub from: Vec<usize>,
+}
+
+/// What a premise says.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Said {
+    /// All of its display.
+    Whole,
+    /// One of several statements of its display: its LaTeX.
+    Part(String),
+    /// A law in each of several states: its LaTeX in each.
+    States(Vec<String>),
 }
 
 /// The sets of premises that a statement with these symbols may follow from. `named` are the displays that the prose names.
@@ -52,7 +68,9 @@ pub(super) fn sets<'p>(
         known.iter().filter(|premise| !premise.is_inline).map(|premise| premise.at).collect();
     displays.dedup();
     let last = &displays[displays.len().saturating_sub(RECENT)..];
-    let is_recent = |premise: &Premise| last.contains(&premise.at) || named.contains(&premise.at);
+    let is_recent = |premise: &Premise| {
+        last.contains(&premise.at) || named.contains(&premise.at) || matches!(premise.said, Said::States(_))
+    };
     let recent: Vec<&Premise> = known.iter().rev().filter(|premise| is_recent(premise)).collect();
     let mut sets: Vec<Vec<usize>> = (0..recent.len()).map(|at| vec![at]).collect();
     // What may drop out of a set without being eliminated, as the magnetic field does from the power.
@@ -76,15 +94,21 @@ pub(super) fn sets<'p>(
         sets = sets.iter().flat_map(longer).collect();
     }
     found.extend(less_likely);
+    // A display that names states is about the laws in these.
+    found.sort_by_key(|set| !set.iter().any(|premise| matches!(premise.said, Said::States(_))));
     found.truncate(TRIED);
     found
 }
 
-/// The sets with which a slip is sought: the likeliest, and the first of those with the most premises, which say the most.
-pub(super) fn for_slips<'s, 'p>(sets: &'s [Vec<&'p Premise>]) -> impl Iterator<Item = &'s Vec<&'p Premise>> {
+/// The sets with which a slip is sought: the likeliest, and the first of those with the most premises, which say the most. What is
+/// said to be constant follows from two relations as a rule.
+pub(super) fn for_slips<'s, 'p>(sets: &'s [Vec<&'p Premise>], is_constant: bool) -> Vec<&'s Vec<&'p Premise>> {
+    if is_constant {
+        return sets.iter().filter(|set| set.len() > 1).take(PAIRS).collect();
+    }
     let longest = sets.iter().map(Vec::len).max().unwrap_or(0);
     let most = sets.iter().skip(1).find(|set| set.len() == longest);
-    sets.first().into_iter().chain(most)
+    sets.first().into_iter().chain(most).collect()
 }
 
 /// The number of symbols that the equalities of premises cannot eliminate to leave a relation between these symbols; `None`, if one of the
@@ -106,21 +130,28 @@ fn surplus(premises: &[&Premise], symbols: &[SymbolId], has_rates: bool) -> Opti
     connected.then(|| (others.len() + 1).saturating_sub(equalities))
 }
 
-/// Whether a display and a statement of it are both among premises.
+/// Whether a display and a statement of it are both among premises, or one and what follows from it.
 fn says_twice(premises: &[&Premise]) -> bool {
-    let is_whole = |at: usize| premises.iter().any(|premise| premise.at == at && premise.part.is_none());
-    premises.iter().any(|premise| premise.part.is_some() && is_whole(premise.at))
+    if premises.iter().any(|premise| premises.iter().any(|other| premise.from.contains(&other.at))) {
+        return true;
+    }
+    let is_whole = |at: usize| premises.iter().any(|premise| premise.at == at && premise.said == Said::Whole);
+    premises.iter().any(|premise| matches!(premise.said, Said::Part(_)) && is_whole(premise.at))
 }
 
 /// The claim that a display follows from premises.
 pub(super) fn claim(premises: &[&Premise]) -> Claim {
-    let said = |premise: &&Premise| Spanned::new(premise.part.as_ref().unwrap_or(&premise.id).clone(), Span::default());
-    let throughout = premises.iter().map(said).collect();
+    let said = |premise: &&Premise| match &premise.said {
+        Said::Whole => vec![premise.id.clone()],
+        Said::Part(part) => vec![part.clone()],
+        Said::States(all) => all.clone(),
+    };
+    let throughout = premises.iter().flat_map(said).map(|text| Spanned::new(text, Span::default())).collect();
     Claim { throughout, ..Claim::default() }
 }
 
 impl PartialEq for Premise {
     fn eq(&self, other: &Premise) -> bool {
-        self.at == other.at && self.part == other.part
+        self.at == other.at && self.said == other.said
     }
 }

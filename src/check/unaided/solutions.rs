@@ -8,7 +8,7 @@ use crate::check::document::checker::Checker;
 use crate::check::kinds::solves::contains_rate;
 use crate::check::model::Model;
 use crate::check::model::meaning::Meaning;
-use crate::check::unaided::premises::Premise;
+use crate::check::unaided::premises::{Premise, Said};
 use crate::check::verdict::report::Equation;
 use crate::formula::{Expr, Relation, Statement, SymbolId};
 use crate::latex::Reading;
@@ -42,7 +42,7 @@ pub(super) fn solved<'p>(
     let name = model.name(unknown);
     let is_about =
         |premise: &&Premise| premise.symbols.contains(&unknown) && !has_rate(&readings[premise.at], unknown, model);
-    let about = known.iter().rev().filter(|premise| premise.part.is_none()).filter(is_about);
+    let about = known.iter().rev().filter(|premise| premise.said == Said::Whole).filter(is_about);
     about
         .take(MOST)
         .map(|of| {

@@ -11,7 +11,7 @@ use crate::check::repair::ranking::{adds_parentheses, rank};
 use crate::check::repair::suggest::is_in_source;
 use crate::check::unaided::contradictions::{consistent, contradicted, open, refuted};
 use crate::check::unaided::course::Course;
-use crate::check::unaided::premises::{self, Premise};
+use crate::check::unaided::premises::{self, Premise, Said};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::{Repair, Shared};
 use crate::check::verdict::report::Equation;
@@ -92,12 +92,15 @@ fn edited(course: &Course<'_, '_>, at: usize, set: &[Premise], premise: &Premise
     for statement in checker.readings[premise.at].statements.iter().flatten() {
         let span = statement.span;
         let Some(text) = display.text.get(span.range()) else { continue };
-        if premise.part.as_ref().is_some_and(|part| part != text) {
-            continue;
+        match &premise.said {
+            Said::Part(part) if part != text => continue,
+            // The law of which these are the states is another premise.
+            Said::States(_) => return Ok(None),
+            _ => {}
         }
         let offset = display.body.start + span.start;
         let beside = checker.readings[premise.at].statements.iter().flatten().filter(|other| other.span != span);
-        let beside = beside.filter(|_| premise.part.is_none());
+        let beside = beside.filter(|_| premise.said == Said::Whole);
         let beside: Vec<String> =
             beside.filter_map(|other| Some(display.text.get(other.span.range())?.to_owned())).collect();
         let mut edits = slips::corrections(text, symbols, macros, &Pool::empty());

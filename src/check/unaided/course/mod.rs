@@ -5,6 +5,7 @@
 //! granted, and is a premise of what comes later. What is wrong is no premise.
 
 mod slips;
+mod taken;
 
 use std::collections::{HashMap, VecDeque};
 
@@ -18,7 +19,7 @@ use crate::check::sample::context::Options;
 use crate::check::unaided::contradictions;
 use crate::check::unaided::gate;
 use crate::check::unaided::inline;
-use crate::check::unaided::premises::{self, Premise};
+use crate::check::unaided::premises::{self, Premise, Said};
 use crate::check::unaided::prose::{self, Announced};
 use crate::check::unaided::scope::Scope;
 use crate::check::unaided::screen;
@@ -27,7 +28,6 @@ use crate::check::unaided::solutions;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
-use crate::formula::units::in_si::has_units;
 use crate::formula::{Expr, Statement, SymbolId, text};
 use crate::notes::claims::Claim;
 
@@ -175,43 +175,6 @@ impl Course<'_, '_> {
         equation
     }
 
-    /// Makes a display a premise of what comes later.
-    fn take_for_granted(&mut self, at: usize) {
-        // Numbers of an example say nothing about other displays.
-        let mut members =
-            self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
-        if members.any(has_units) {
-            return;
-        }
-        // Beside a motion, what is taken for granted is a special case of it or contradicts it.
-        let display = &self.checker.notes.equations[at];
-        let (Some(id), None) = (display.id(), &self.checker.model.system) else { return };
-        let Ok(statements) =
-            self.checker.readings[at].statements.iter().map(Result::as_ref).collect::<Result<Vec<&Statement>, _>>()
-        else {
-            return;
-        };
-        let is_inline = inline::is_inline(self.checker.notes, display);
-        let premise = |part: Option<String>, statements: &[&Statement]| Premise {
-            at,
-            id: id.to_owned(),
-            part,
-            symbols: self.symbols_of(statements),
-            equalities: statements.iter().map(|statement| statement.relations.len()).sum(),
-            is_inline,
-        };
-        let mut new = vec![premise(None, &statements)];
-        if statements.len() > 1 {
-            for statement in statements {
-                let Some(part) = display.text.get(statement.span.start..statement.span.end) else { continue };
-                new.push(premise(Some(part.to_owned()), &[statement]));
-            }
-        }
-        // What holds under a condition is no premise.
-        new.retain(|premise| self.checker.hypotheses(&premises::claim(&[premise])).is_ok());
-        self.known.append(&mut new);
-    }
-
     /// The formulas in the sentences before a display, and before the one before it, which are premises.
     fn formulas_before(&self, at: usize) -> Vec<usize> {
         let notes = self.checker.notes;
@@ -253,7 +216,8 @@ impl Course<'_, '_> {
         let origin = self.scope.origin_of(at, self.checker.notes.equations.len());
         let mut words = prose::before(self.checker.notes, origin);
         words.named.extend(self.formulas_before(origin));
-        let before: Vec<Premise> = self.known.iter().filter(|premise| premise.at < origin).cloned().collect();
+        let mut before: Vec<Premise> = self.known.iter().filter(|premise| premise.at < origin).cloned().collect();
+        before.extend(self.in_states(at, &before));
         let sets = premises::sets(&before, &symbols, self.has_rates(at), &words.named);
         let positive = signs::positive(&self.checker.readings[at], &symbols, self.checker.model);
         if let Some(positive) = &positive
@@ -263,7 +227,10 @@ impl Course<'_, '_> {
         }
         for set in &sets {
             if let Some(follows) = self.follows_from(at, set, positive.as_ref())? {
-                self.confirmed.extend(set.iter().map(|premise| premise.at));
+                // What follows says in short what several premises do, so it is one too.
+                let from: Vec<usize> = set.iter().map(|premise| premise.at).collect();
+                self.confirmed.extend(&from);
+                self.take_as_premise(at, &from);
                 return Ok(gate::as_it_counts(follows));
             }
         }
@@ -289,7 +256,9 @@ impl Course<'_, '_> {
         {
             return Ok(wrong);
         }
-        for set in premises::for_slips(&sets) {
+        let mut statements = self.checker.readings[at].statements.iter().flatten();
+        let is_constant = statements.any(|statement| statement.constant.is_some());
+        for set in premises::for_slips(&sets, is_constant) {
             let claim = premises::claim(set);
             let where_positive = positive.as_ref().map(|positive| positive.added_to(&claim));
             for claim in std::iter::once(claim).chain(where_positive) {
@@ -461,7 +430,11 @@ impl Course<'_, '_> {
 }
 
 pub(super) fn named(set: &[&Premise]) -> String {
-    let mut ids: Vec<String> = set.iter().map(|premise| format!("({})", premise.id)).collect();
+    let name = |premise: &&Premise| match premise.said {
+        Said::States(_) => format!("({}) in each state", premise.id),
+        _ => format!("({})", premise.id),
+    };
+    let mut ids: Vec<String> = set.iter().map(name).collect();
     ids.dedup();
     ids.join(", ")
 }

@@ -33,6 +33,9 @@ const DIRECTIONS: [&str; 20] = [
     "\\imath", "\\jmath", "\\ell",
 ];
 
+/// Letters that change where a formula with them is said to be constant, as in `pV^\\gamma = \\text{const}`.
+const QUANTITIES_OF_STATE: [&str; 8] = ["p", "P", "V", "v", "T", "S", "U", "y"];
+
 /// The claims that are inferred for notes.
 ///
 /// # Errors
@@ -232,7 +235,9 @@ impl Guess {
             let is_argument = usages
                 .iter()
                 .any(|other| other.given && other.arguments.as_ref().is_some_and(|of| of.contains(&usage.name)));
-            let moves = usage.moves || is_of_time(usage);
+            let is_of_state = usage.conserved && usage.name.subscript.is_empty();
+            let changes = is_of_state && QUANTITIES_OF_STATE.contains(&usage.name.base.as_str());
+            let moves = usage.moves || is_of_time(usage) || changes && lagrangian.is_none();
             let range = match (is_vector, usage.angle, usage.positive) {
                 (true, ..) => "any",
                 (_, true, _) => "angle",

@@ -18,6 +18,8 @@ pub(in crate::check) struct Usage {
     pub angle: bool,
     /// Whether it stands alone on one side of a relation whose other side moves.
     pub follows: bool,
+    /// Whether it stands in a formula that is said to be constant, and not in an exponent.
+    pub conserved: bool,
     /// The names of which it is the product, where a display says so.
     pub product: Option<Vec<Name>>,
     /// Whether it is all of a numerator or a denominator.
@@ -47,6 +49,7 @@ struct Place {
     positive: bool,
     angle: bool,
     moves: bool,
+    conserved: bool,
     /// Whether δ before a name is a factor in the display.
     has_coefficient: bool,
 }
@@ -79,6 +82,9 @@ pub(in crate::check) fn names_of(displays: &[Display], macros: &Macros) -> Vec<U
                 && let Some(product) = product(right)
             {
                 entry(&mut found, &name, at).product.get_or_insert(product);
+            }
+            if statement.iter().any(|item| crate::latex::says_constant(item).is_some()) {
+                walk(statement, Place { conserved: true, has_coefficient, ..Place::default() }, at, &mut found);
             }
             statements.push(sides(statement));
         }
@@ -280,6 +286,7 @@ fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'f mut Usage
             positive: false,
             angle: false,
             follows: false,
+            conserved: false,
             product: None,
             divides: false,
             precedes: false,
@@ -315,6 +322,7 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
             let usage = entry(found, &printed.name, at);
             usage.moves |= printed.dots > 0 || place.moves;
             usage.positive |= place.positive;
+            usage.conserved |= place.conserved;
             usage.precedes |= items[index + 1..].iter().find(|next| !is_space(next)).is_some_and(is_factor);
             usage.angle |= here.angle && !follows.is_some_and(is_variable);
             if let Some(arguments) = follows.and_then(names_in_parentheses) {

@@ -1,0 +1,78 @@
+//! Displays that become premises of what comes later.
+
+use crate::check::unaided::course::Course;
+use crate::check::unaided::inline;
+use crate::check::unaided::premises::{self, Premise, Said};
+use crate::formula::Statement;
+use crate::formula::units::in_si::has_units;
+
+impl Course<'_, '_> {
+    /// Makes a display that is taken for granted a premise of what comes later.
+    pub(super) fn take_for_granted(&mut self, at: usize) {
+        self.take_as_premise(at, &[]);
+    }
+
+    /// Makes a display a premise of what comes later; it follows from the displays at some places, perhaps.
+    pub(super) fn take_as_premise(&mut self, at: usize, from: &[usize]) {
+        // Numbers of an example say nothing about other displays.
+        let mut members =
+            self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        if members.any(has_units) {
+            return;
+        }
+        // Beside a motion, what is taken for granted is a special case of it or contradicts it.
+        let display = &self.checker.notes.equations[at];
+        let (Some(id), None) = (display.id(), &self.checker.model.system) else { return };
+        let Ok(statements) =
+            self.checker.readings[at].statements.iter().map(Result::as_ref).collect::<Result<Vec<&Statement>, _>>()
+        else {
+            return;
+        };
+        let is_inline = inline::is_inline(self.checker.notes, display);
+        // What is constant has a rate of 0.
+        if let [statement] = statements.as_slice()
+            && statement.constant.is_some()
+        {
+            self.take_as_constant((at, id), statement, from);
+            return;
+        }
+        let premise = |said: Said, statements: &[&Statement]| Premise {
+            at,
+            id: id.to_owned(),
+            said,
+            symbols: self.symbols_of(statements),
+            equalities: statements.iter().map(|statement| statement.relations.len()).sum(),
+            is_inline,
+            from: from.to_vec(),
+        };
+        let mut new = vec![premise(Said::Whole, &statements)];
+        if statements.len() > 1 {
+            for statement in statements {
+                let Some(part) = display.text.get(statement.span.start..statement.span.end) else { continue };
+                new.push(premise(Said::Part(part.to_owned()), &[statement]));
+            }
+        }
+        // What holds under a condition is no premise.
+        new.retain(|premise| self.checker.hypotheses(&premises::claim(&[premise])).is_ok());
+        self.known.append(&mut new);
+    }
+
+    /// Makes the statement that a formula is constant a premise of what comes later.
+    fn take_as_constant(&mut self, (at, id): (usize, &str), statement: &Statement, from: &[usize]) {
+        let display = &self.checker.notes.equations[at];
+        let Some(last) = statement.members.last() else { return };
+        let Some(text) = display.text.get(last.span.range()) else { return };
+        let premise = Premise {
+            at,
+            id: id.to_owned(),
+            said: Said::Part(format!("\\frac{{d}}{{dt}}\\left({text}\\right) = 0")),
+            symbols: self.symbols_of(&[statement]),
+            equalities: 1,
+            is_inline: inline::is_inline(self.checker.notes, display),
+            from: from.to_vec(),
+        };
+        if self.checker.hypotheses(&premises::claim(&[&premise])).is_ok() {
+            self.known.push(premise);
+        }
+    }
+}
