@@ -14,6 +14,9 @@ const RECENT: usize = 8;
 /// The most sets of premises that are tried.
 const TRIED: usize = 10;
 
+/// The most of them with laws in several states.
+const IN_STATES: usize = 4;
+
 /// The most sets with which a slip is sought in what is said to be constant.
 const PAIRS: usize = 3;
 
@@ -94,8 +97,11 @@ pub(super) fn sets<'p>(
         sets = sets.iter().flat_map(longer).collect();
     }
     found.extend(less_likely);
-    // A display that names states is about the laws in these.
-    found.sort_by_key(|set| !set.iter().any(|premise| matches!(premise.said, Said::States(_))));
+    // A display that names states may be about the laws in these.
+    let has_states = |set: &Vec<&Premise>| set.iter().any(|premise| matches!(premise.said, Said::States(_)));
+    let (mut in_states, others): (Vec<_>, Vec<_>) = found.into_iter().partition(has_states);
+    in_states.truncate(IN_STATES);
+    found = if named.is_empty() { [in_states, others].concat() } else { [others, in_states].concat() };
     found.truncate(TRIED);
     found
 }

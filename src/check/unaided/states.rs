@@ -19,9 +19,6 @@ use crate::notes::Display;
 /// The most states of a display.
 const MOST_STATES: usize = 4;
 
-/// The fewest quantities of a law that have an index in a state.
-const FEWEST_INDEXED: usize = 2;
-
 impl Course<'_, '_> {
     /// The premises that hold in each of the states that a display names, as premises of their own.
     pub(super) fn in_states(&self, at: usize, known: &[Premise]) -> Vec<Premise> {
@@ -53,7 +50,8 @@ impl Course<'_, '_> {
             };
             let table: HashMap<Name, Name> =
                 own.iter().filter(is_quantity).map(|name| (name.clone(), indexed(name))).collect();
-            if table.len() < FEWEST_INDEXED || !table.values().any(|name| used.contains(name)) {
+            // Most of its quantities belong to a state.
+            if 2 * table.len() <= own.len() || !table.values().any(|name| used.contains(name)) {
                 continue;
             }
             let text = renamed(text, &model.macros, &table).text;

@@ -4,7 +4,7 @@ use crate::Result;
 use crate::check::repair::suggest::Search;
 use crate::check::unaided::course::{Course, named};
 use crate::check::unaided::gate::{self, Basis};
-use crate::check::unaided::premises::Premise;
+use crate::check::unaided::premises::{Premise, Said};
 use crate::check::unaided::prose::{Announced, Words};
 use crate::check::unaided::solutions;
 use crate::check::verdict::Verdict;
@@ -12,6 +12,9 @@ use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
 use crate::notes::claims::Claim;
+
+/// The relative difference of two numbers that are equal.
+const EQUAL: f64 = 1e-9;
 
 /// The inequalities in print.
 const INEQUALITIES: [&str; 12] = ["<", ">", "≤", "≥", "\\lt", "\\gt", "\\le", "\\ge", "\\leq", "\\geq", "\\leqslant", "\\geqslant"];
@@ -38,6 +41,9 @@ impl Course<'_, '_> {
         if quick.finding.verdict != Verdict::Refuted {
             return Ok(None);
         }
+        if !set.is_empty() && is_degenerate(&quick) {
+            return Ok(None);
+        }
         let mut repairs = checker.own_repairs(at, &quick, claim, search)?;
         let is_solution = solves || basis == Basis::Solution;
         let around = gate::Around { model: checker.model, before: &self.seen, basis, words, solves: is_solution };
@@ -46,6 +52,16 @@ impl Course<'_, '_> {
         if quick.finding.code == Code::InequalityFails {
             let turned = |repair: &Repair| INEQUALITIES.contains(&checker.source.slice(repair.span).trim());
             repairs.retain(turned);
+        }
+        // Authors write one quantity with and without the index of its state.
+        if set.iter().any(|premise| matches!(premise.said, Said::States(_))) {
+            repairs.retain(|repair| {
+                let base = |text: &str| text.split('_').next().unwrap_or_default().trim().to_owned();
+                let printed = checker.source.slice(repair.span);
+                let before = checker.source.text[..repair.span.start].trim_end();
+                let is_added = printed.trim().is_empty() && repair.replacement.trim_start().starts_with('_');
+                base(printed) != base(&repair.replacement) && !is_added && !before.ends_with('_')
+            });
         }
         if solves && repairs.is_empty() {
             repairs = checker.repairs_of_own_definition(self.run, at)?;
@@ -63,4 +79,15 @@ impl Course<'_, '_> {
         }
         Ok(Some(found))
     }
+}
+
+/// Whether the counterexample has a symbol that is 0, or two that are equal: the premises hold only in a special case, of which
+/// the display does not speak.
+fn is_degenerate(found: &Equation) -> bool {
+    let parts = found.parts.iter().filter_map(|part| part.finding.counterexample.as_ref());
+    parts.chain(&found.finding.counterexample).any(|counterexample| {
+        let values: Vec<f64> = counterexample.state.iter().map(|(_, value)| *value).collect();
+        let is_equal = |a: f64, b: f64| (a - b).abs() <= EQUAL * a.abs().max(b.abs());
+        values.iter().enumerate().any(|(at, a)| *a == 0.0 || values[..at].iter().any(|b| is_equal(*a, *b)))
+    })
 }

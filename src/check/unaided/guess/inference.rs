@@ -25,7 +25,7 @@ use crate::check::unaided::guess::names::{Usage, names_of};
 use crate::check::unaided::guess::values::{self, Value as OneValue};
 
 /// How often the displays are read again with the names that were missing.
-const ROUNDS: usize = 8;
+const ROUNDS: usize = 12;
 
 /// Letters whose hat marks a direction.
 const DIRECTIONS: [&str; 20] = [
@@ -95,7 +95,8 @@ fn completed(
             || is_new
             || guess.add_values(&values)
             || guess.reshape(&misshapen)
-            || guess.add(&first_of(given, usages, &lacking), directions);
+            || guess.add(&first_of(&given, usages, &lacking), directions)
+            || guess.add(&given, directions);
         if !goes_on {
             break;
         }
@@ -105,13 +106,13 @@ fn completed(
 
 /// Those of the names with a formula that are the first to be declared: their displays cannot be read for another reason than
 /// a missing name. What lacks only these may be read with them.
-fn first_of(given: Vec<String>, usages: &[Usage], lacking: &[bool]) -> Vec<String> {
+fn first_of(given: &[String], usages: &[Usage], lacking: &[bool]) -> Vec<String> {
     let is_first = |name: &&String| {
         let usage = usages.iter().find(|usage| usage.name.to_string() == **name);
         usage.and_then(|usage| usage.introduced).and_then(|at| lacking.get(at)).is_none_or(|lacks| !lacks)
     };
     let first: Vec<String> = given.iter().filter(is_first).cloned().collect();
-    if first.is_empty() { given.into_iter().take(1).collect() } else { first }
+    if first.is_empty() { given.iter().take(1).cloned().collect() } else { first }
 }
 
 /// Whether a display cannot be read for lack of a name.
