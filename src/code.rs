@@ -79,11 +79,11 @@ codes! {
     /// For example, `E^2 = p^2c^2 + m^2c^2` beside `E = \gamma m c^2` and `p = \gamma m v`: c would be a pure number. Notes
     /// without a claims file only.
     DimensionsConflict = "dimensions-conflict",
-    /// A definition is contradicted by the displays that use the name, and one edit of it repairs them, in notes without a
-    /// claims file.
+    /// A definition, or a relation that was taken for granted, is contradicted by several displays that use it, and one edit of it
+    /// repairs them, in notes without a claims file.
     ///
     /// For example, `t_1 = \frac{v}{7 a}` before `v_1 = v - a t_1 = \frac57 v` and another display that needs twice that time.
-    /// Correct the definition.
+    /// Correct it.
     DefinitionContradicted = "definition-contradicted",
     /// The text is not a unit of the SI.
     ///
@@ -238,8 +238,8 @@ codes! {
     /// message
     /// says why nothing was decided, and what to change.
     NotDecided = "not-decided",
-    /// A display contradicts a definition that it uses, and a slip in either would explain that, in notes without a claims
-    /// file.
+    /// A display contradicts a definition, or a relation that was taken for granted, and a slip in either would explain that, in
+    /// notes without a claims file.
     ///
     /// For example, `t_1 = \frac{v}{7 a}` and `v_1 = v - a t_1 = \frac57 v`: one of them is wrong, and no other display says
     /// which. An edit of each is shown. Correct the one that is wrong.

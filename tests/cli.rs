@@ -71,6 +71,8 @@ mod unaided_sentences;
 mod unaided_series;
 #[path = "cli/unaided_solutions.rs"]
 mod unaided_solutions;
+#[path = "cli/unaided_states.rs"]
+mod unaided_states;
 #[path = "cli/watch.rs"]
 mod watch;
 #[path = "cli/widths.rs"]

@@ -52,6 +52,7 @@ pub mod slips;
 #[cfg(feature = "notes")]
 pub mod statements;
 pub mod typeset;
+mod value_lists;
 
 #[cfg(feature = "notes")]
 pub use definitions::DefinedSymbol;

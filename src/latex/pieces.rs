@@ -9,10 +9,10 @@ use crate::source::{Fault, Span};
 
 use super::layout::{Delimiter, Item, Layout, latex};
 use super::lexer::Space;
-use super::names;
 use super::reader::items::contents;
 use super::reader::structure::is_prose;
 use super::rows::{Row, is_operator, is_sign, is_significant, relation, rows};
+use super::{names, value_lists};
 
 /// The statements of a display.
 ///
@@ -82,11 +82,21 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
     let items = row.items;
     while at < items.len() {
         let item = items[at];
-        let mut close = |current: &mut Option<Piece<'a>>| pieces.extend(current.take());
         let is_wide = matches!(item.layout, Layout::Space(Space::Wide));
         // Before a row it indents what goes on.
         if is_wide && starts_row {
             at += 1;
+            continue;
+        }
+        let is_thin = |item: &Item| matches!(item.layout, Layout::Space(space) if space != Space::Wide);
+        let before = items[..at].iter().rev().find(|item| !is_thin(item));
+        let is_fenced = matches!(item.layout, Layout::Fence(..)) && at > 0 && is_thin(items[at - 1]);
+        let begins = is_fenced || before.is_none_or(|item| separates(item));
+        let is_beside = current.is_some() || !pieces.is_empty();
+        if let Some(length) = (begins && is_beside).then(|| value_lists::length(&items[at..])).flatten() {
+            pieces.extend(current.take());
+            comma = None;
+            at += length;
             continue;
         }
         let of_condition = current.as_mut().filter(|piece| !piece.conditions.is_empty() && !ends_condition(&items, at));
@@ -136,7 +146,7 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
                 .is_some_and(|next| relation(next).is_some());
             if !(is_wide && relation_follows) {
                 let ends = current.is_some();
-                close(&mut current);
+                pieces.extend(current.take());
                 comma = match item.layout {
                     Layout::Other(',') if ends => Some(item),
                     _ => None,

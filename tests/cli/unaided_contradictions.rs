@@ -67,3 +67,73 @@ fn neither_is_called_wrong_where_nothing_says_which() {
     assert!(run.out.contains("with this edit of (1)"), "{}", run.out);
     assert_eq!(findings("one", &ball(TIME, &[SPEED]))[1].0, "certified");
 }
+
+/// A Carnot cycle with the relation between its volumes, and its work and efficiency.
+fn cycle(ratio: &str, displays: &[&str]) -> String {
+    let mut notes = String::from(
+        "Heat is taken in and given off:\n\n$$ Q_h = nRT_h\\ln\\frac{V_2}{V_1}, \\quad Q_c = nRT_c\\ln\\frac{V_3}{V_4} $$\n\n",
+    );
+    notes.push_str(&format!("By division\n\n$$ {ratio} $$\n\n"));
+    displays.iter().for_each(|display| notes.push_str(&format!("So\n\n$$ {display} $$\n\n")));
+    notes
+}
+
+const RATIO: &str = r"\frac{V_2}{V_1} = \frac{V_3}{V_4}";
+const WORK: &str = r"W = Q_h - Q_c = nR(T_h - T_c)\ln\frac{V_2}{V_1}";
+const EFFICIENCY: &str = r"\eta_C = \frac{W}{Q_h} = 1 - \frac{T_c}{T_h}";
+
+#[test]
+fn a_premise_is_wrong_that_two_displays_contradict() {
+    let verdicts = |name: &str, notes: &str| -> Vec<String> {
+        findings(name, notes).into_iter().map(|(verdict, code, _)| format!("{verdict} {code}")).collect()
+    };
+    let right = verdicts("cycle", &cycle(RATIO, &[WORK, EFFICIENCY]));
+    assert_eq!(right[1], "assumed assumed");
+    assert!(right[2..].iter().all(|found| found.starts_with("certified")), "{right:?}");
+    let wrong = r"\frac{V_2}{V_1} = \frac{V_4}{V_3}";
+    let found = verdicts("cycle-two", &cycle(wrong, &[WORK, EFFICIENCY]));
+    assert_eq!(found[1], "refuted definition-contradicted");
+    assert!(found[2..].iter().all(|found| found.starts_with("undecided")), "{found:?}");
+    // One display alone: nobody knows.
+    let found = verdicts("cycle-one", &cycle(wrong, &[WORK]));
+    assert_eq!(found[1..], ["undecided not-decided", "undecided contradiction"]);
+    // Where something follows from the premise, the other display is wrong.
+    let slip = WORK.replace("T_h - T_c", "T_h + T_c");
+    let found =
+        verdicts("cycle-work", &cycle(RATIO, &[EFFICIENCY.replace("W", "(Q_h - Q_c)").as_str(), slip.as_str()]));
+    assert_eq!(found[1], "assumed assumed");
+    assert!(found[2].starts_with("certified") && found[3].starts_with("refuted"), "{found:?}");
+}
+
+#[test]
+fn a_special_value_contradicts_nothing() {
+    let notes = r"The rod turns with
+
+$$ \alpha = \frac{3g}{2\ell}\cos\theta $$
+
+At the start its end accelerates with
+
+$$ a = \ell\alpha = \frac32 g $$
+";
+    let found = findings("start", notes);
+    assert!(found.iter().all(|(verdict, code, _)| verdict != "refuted" && code != "contradiction"), "{found:?}");
+    // What has the angle, and another number, is wrong.
+    let found = findings("end", &notes.replace(r"\frac32 g", r"\frac52 g\cos\theta"));
+    assert!(found.iter().any(|(verdict, code, _)| verdict == "refuted" || code == "contradiction"), "{found:?}");
+}
+
+#[test]
+fn an_inequality_is_wrong_in_its_direction_only() {
+    let otto = |display: &str| {
+        format!(
+            "The efficiency is\n\n$$ \\eta = 1 - \\frac{{T_1}}{{T_2}} $$\n\nIt is less than Carnot's:\n\n$$ {display} $$\n"
+        )
+    };
+    let found = findings("otto", &otto(r"\eta = 1 - \frac{T_1}{T_2} < 1 - \frac{T_1}{T_3}"));
+    assert!(found.iter().all(|(verdict, ..)| verdict != "refuted"), "{found:?}");
+    let square = |sign: &str| format!("For real numbers\n\n$$ a^2 + b^2 {sign} 2ab $$\n");
+    assert_eq!(findings("square", &square(r"\ge"))[0].0, "verified");
+    // An equality is wrong in any term.
+    let found = findings("otto-slip", &otto(r"\eta = 1 + \frac{T_1}{T_2} = 1 - \frac{T_1}{T_2}"));
+    assert!(found.iter().any(|(verdict, code, _)| verdict == "refuted" || code == "contradiction"), "{found:?}");
+}

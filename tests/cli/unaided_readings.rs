@@ -65,3 +65,23 @@ fn spaces_with_a_length_separate() {
     let out = readings("spaces", &[r"a = b\hspace{25pt}c = d + b"]);
     assert!(out.contains("c = d + b") && !out.contains("b·c"), "{out}");
 }
+
+#[test]
+fn the_values_of_an_index_beside_a_statement_are_no_statement() {
+    for (at, list) in
+        [r"\quad n = 1, 2, 3, \dots", r"\quad n = 0, 1, 2,\ldots", r"\quad (n = 1, 2)", r"\quad n \in \mathbb{N}"]
+            .into_iter()
+            .enumerate()
+    {
+        let out =
+            readings(&format!("values-{at}"), &[&format!(r"k_n = \frac{{n\pi}}{{L}}, \qquad \omega_n = c k_n {list}")]);
+        assert!(out.contains("ω_n = c·k_n") && !out.contains("unreadable"), "{list}: {out}");
+    }
+    // near misses: a value, a list of what is no whole number, and a list that is all there is
+    for (at, list) in
+        [r"k_n = n a, \quad n = 3", r"k_n = n a, \quad n = a, 2, \dots", r"n = 1, 2, \dots"].into_iter().enumerate()
+    {
+        let out = readings(&format!("no-values-{at}"), &[list]);
+        assert!(out.contains("n = 3") || out.contains("unreadable"), "{list}: {out}");
+    }
+}

@@ -77,3 +77,73 @@ fn a_name_in_capitals_and_a_relation_that_is_not_printed_make_no_slip() {
     assert_ne!(last("quotient", r"\gamma m (\omega A + c)^2").as_deref(), Some("refuted"));
     assert_eq!(last("quotient-slip", r"\frac12 b \omega^2 A^2 + \frac12 b c^2").as_deref(), Some("refuted"));
 }
+
+const PENDULUM: &str = r"The kinetic energy is
+
+$$ T = \frac12 m\ell^2\dot\theta^2 $$
+
+Potential energy: $V = mgh = -mg\ell\cos\theta$. With the Lagrangian
+
+$$ L = T - V $$
+
+the equation of motion is
+
+$$ \ell\ddot\theta + g\sin\theta = 0 $$
+";
+
+#[test]
+fn a_formula_for_a_quantity_that_the_sentence_names_defines_it() {
+    let (found, _) = verdicts("pendulum", PENDULUM);
+    assert_eq!(found.last().map(String::as_str), Some("certified"), "{found:?}");
+    let (found, _) = verdicts("pendulum-slip", &PENDULUM.replace(r"+ g\sin", r"+ 2g\sin"));
+    assert_eq!(found.last().map(String::as_str), Some("refuted"), "{found:?}");
+    // After other words it may be a special case.
+    let (_, inferred) = verdicts("pendulum-case", &PENDULUM.replace("Potential energy:", "If the string is long,"));
+    assert!(!inferred.contains("line 5"), "{inferred}");
+}
+
+const LEVELS: &str = r"Write $\beta = 1/k_BT$. The partition function is
+
+$$ Z = 1 + e^{-\beta\varepsilon} $$
+
+and with $N$ particles the energy
+
+$$ U = -N\frac{\partial\ln Z}{\partial\beta} = \frac{N\varepsilon}{e^{\beta\varepsilon} + 1} $$
+
+so the heat capacity is
+
+$$ C = \frac{dU}{dT} = Nk_B\frac{(\beta\varepsilon)^2e^{\beta\varepsilon}}{(e^{\beta\varepsilon} + 1)^2} $$
+";
+
+#[test]
+fn a_slash_in_a_line_of_text_has_the_product_below_it() {
+    let (found, inferred) = verdicts("levels", LEVELS);
+    assert_eq!(found, ["definition", "certified", "certified"], "{inferred}");
+    let (found, _) = verdicts("levels-slip", &LEVELS.replace("(\\beta\\varepsilon)^2e", "(\\beta\\varepsilon)^3e"));
+    assert_eq!(found[2], "refuted");
+}
+
+#[test]
+fn a_formula_that_cannot_be_read_takes_no_other_formula_along() {
+    // Nothing can be read of β, so it is a constant; Z and U keep their formulas.
+    let (found, _) = verdicts("unread", &LEVELS.replace("1/k_BT", r"1/k_B\quad{}T"));
+    assert_eq!(found[..2], ["definition", "certified"]);
+}
+
+#[test]
+fn a_derivative_by_a_name_with_a_formula_is_by_that_name() {
+    let notes = r"With $s = y/2$ we look for the maximum of
+
+$$ f = \frac{s}{\cosh s} $$
+
+Its derivative is
+
+$$ \frac{df}{ds} = \frac{\cosh s - s\sinh s}{\cosh^2 s} $$
+";
+    assert_eq!(verdicts("derivative", notes).0.last().map(String::as_str), Some("certified"));
+    let (found, _) = verdicts("derivative-slip", &notes.replace(r"- s\sinh", r"+ s\sinh"));
+    assert_eq!(found.last().map(String::as_str), Some("refuted"));
+    // y may stay fixed, or change with s.
+    let (found, _) = verdicts("derivative-both", &notes.replace(r"\frac{s}{\cosh s}", r"\frac{y}{\cosh s}"));
+    assert!(["unreadable", "undecided"].contains(&found.last().map_or("", String::as_str)), "{found:?}");
+}

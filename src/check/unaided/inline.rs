@@ -35,22 +35,23 @@ pub(super) fn with_definitions(notes: &Notes, displays: Vec<Display>, macros: &M
         let is_sum = || is_sum(&display, &usages, macros) && !follows_condition(notes, *span);
         let name = name(&display, macros).filter(|name| !defined.contains(name));
         let is_free = |usage: &Usage| usage.introduced.is_none() && usage.first + 1 >= authors;
+        let is_told = is_announced(notes, *span) || is_named(notes, *span);
         let defines = |name: &String| {
-            (is_announced(notes, *span) || is_named(notes, *span) || is_sum())
-                && usages.iter().find(|usage| usage.name.to_string() == *name).is_some_and(is_free)
+            (is_told || is_sum()) && usages.iter().find(|usage| usage.name.to_string() == *name).is_some_and(is_free)
         };
         if let Some(name) = name.filter(defines) {
+            found.insert(at, with_known_names(display, &name, &usages, macros));
             defined.push(name);
-            found.insert(at, display);
-        } else if relates(&display, (&usages, authors), macros) && !follows_condition(notes, *span) {
+        } else if relates(&display, (&usages, authors, is_told), macros) && !follows_condition(notes, *span) {
             found.insert(at, display);
         }
     }
     found
 }
 
-/// Whether a formula relates several names that displays before it have, or that no display gives a formula.
-fn relates(display: &Display, (usages, authors): (&[Usage], usize), macros: &Macros) -> bool {
+/// Whether a formula relates several names that displays before it have, or that no display gives a formula. Two are enough where the
+/// words announce it.
+fn relates(display: &Display, (usages, authors, is_told): (&[Usage], usize, bool), macros: &Macros) -> bool {
     let names = names_of(std::slice::from_ref(display), macros);
     let is_known = |name: &Usage| {
         let used = usages.iter().find(|usage| usage.name == name.name);
@@ -58,7 +59,7 @@ fn relates(display: &Display, (usages, authors): (&[Usage], usize), macros: &Mac
     };
     let first = names.iter().find(|name| name.introduced.is_some());
     let is_used = |name: &Usage| usages.iter().any(|usage| usage.name == name.name && usage.first < authors);
-    names.len() >= FEWEST_RELATED && names.iter().all(is_known) && first.is_none_or(is_used)
+    names.len() + usize::from(is_told) >= FEWEST_RELATED && names.iter().all(is_known) && first.is_none_or(is_used)
 }
 
 /// The formula in a sentence as a display, if it is one equality.
@@ -79,6 +80,20 @@ fn formula(notes: &Notes, span: Span) -> Option<Display> {
         automatic: Vec::new(),
         line,
     })
+}
+
+/// A definition by the first member of its chain whose names the displays have: of `V = mgh = mg\\ell(1 - \\cos\\theta)` the last one,
+/// where no display has h.
+fn with_known_names(display: Display, name: &str, usages: &[Usage], macros: &Macros) -> Display {
+    let members: Vec<&str> = display.text.split('=').skip(1).collect();
+    let is_used = |usage: &Usage| usages.iter().any(|used| used.name == usage.name);
+    let is_known = |text: &&&str| {
+        names_of(&[Display { text: (**text).to_owned(), ..display.clone() }], macros).iter().all(is_used)
+    };
+    match members.iter().find(is_known) {
+        Some(member) if members.len() > 1 => Display { text: format!("{name} ={member}"), ..display },
+        _ => display,
+    }
 }
 
 /// A formula with parentheses around what stands directly after a slash: in a line of text `1/k_BT` has k_B T below it. After a

@@ -17,7 +17,7 @@ const TRIED: usize = 10;
 /// The most of them with laws in several states.
 const IN_STATES: usize = 4;
 
-/// The most sets with which a slip is sought in what is said to be constant.
+/// The most sets of several premises with which a slip is sought in what is said to be constant.
 const PAIRS: usize = 3;
 
 /// The most premises in a set.
@@ -110,7 +110,7 @@ pub(super) fn sets<'p>(
 /// said to be constant follows from two relations as a rule.
 pub(super) fn for_slips<'s, 'p>(sets: &'s [Vec<&'p Premise>], is_constant: bool) -> Vec<&'s Vec<&'p Premise>> {
     if is_constant {
-        return sets.iter().filter(|set| set.len() > 1).take(PAIRS).collect();
+        return sets.iter().take(1).chain(sets.iter().skip(1).filter(|set| set.len() > 1).take(PAIRS)).collect();
     }
     let longest = sets.iter().map(Vec::len).max().unwrap_or(0);
     let most = sets.iter().skip(1).find(|set| set.len() == longest);

@@ -19,6 +19,9 @@ use crate::check::trial::text_trial::tested_links;
 /// The number of states.
 const STATES: usize = 3;
 
+/// The number of states where none of these is found.
+const MORE: usize = 16;
+
 /// Whether a display may follow from the hypotheses of a claim: there are states at which these hold, it fails at none, and its
 /// sides are not 0 at all of them.
 ///
@@ -45,10 +48,12 @@ pub(super) fn may_follow(checker: &Checker<'_>, at: usize, claim: &Claim) -> Res
             continue;
         }
         let mode = context.mode(checker.model.has_motion(), &sides);
-        let Ok(ensemble) = context.ensemble(mode, false, STATES) else { return Ok(false) };
+        // Premises with powers and roots hold at few of the numbers that are drawn.
+        let drawn = |points| context.ensemble(mode, false, points).ok().filter(|ensemble| !ensemble.states.is_empty());
+        let Some(ensemble) = drawn(STATES).or_else(|| drawn(MORE)) else { return Ok(false) };
         let fails =
             |link| ensemble.states.iter().any(|state| matches!(residual::test(link, state), Ok(Point::Fails(_))));
-        if ensemble.states.is_empty() || links.iter().any(fails) {
+        if links.iter().any(fails) {
             return Ok(false);
         }
         // Premises such as r\dot r = h\dot r hold at rest too, where nothing moves and any display is 0 = 0.

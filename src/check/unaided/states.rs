@@ -60,9 +60,7 @@ impl Course<'_, '_> {
             let [Ok(statement)] = reading.statements.as_slice() else { continue };
             // A rate belongs to a process, and not to a state.
             let moves = |member: &Expr| member.symbols().iter().any(|(_, dots)| *dots > 0);
-            if names.len() > model.symbols.len()
-                || statement.constant.is_some()
-                || statement.members.iter().any(moves)
+            if names.len() > model.symbols.len() || statement.constant.is_some() || statement.members.iter().any(moves)
             {
                 continue;
             }

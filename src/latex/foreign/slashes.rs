@@ -112,7 +112,9 @@ pub fn products_in_lines(text: &str) -> Vec<(Span, String)> {
 fn power(text: &str, at: usize) -> Option<usize> {
     let script = text[at..].strip_prefix('^')?;
     match script.strip_prefix('{') {
-        Some(_) => braced(script).filter(|(inside, _)| inside.chars().all(|c| c.is_ascii_digit())).map(|(_, n)| at + 1 + n),
+        Some(_) => {
+            braced(script).filter(|(inside, _)| inside.chars().all(|c| c.is_ascii_digit())).map(|(_, n)| at + 1 + n)
+        }
         None => script.starts_with(|c: char| c.is_ascii_digit()).then_some(at + 2),
     }
 }

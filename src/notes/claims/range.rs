@@ -209,7 +209,9 @@ pub(super) fn between(written: &Spanned<String>, name: &str) -> Option<(Spanned<
         !letters.is_empty() && !["inf", "nan", "infinity"].contains(&letters.as_str()) && (letters != "e" || !is_number)
     };
     let is_formula = |end: &str| endpoint(end).is_err() && has_name(end) && !end.contains(['<', '>', '=', ',']);
-    if ![low, high].into_iter().any(|end| is_formula(end) || is_infinite(end)) || is_infinite(low) != low.starts_with("-\\infty") {
+    if ![low, high].into_iter().any(|end| is_formula(end) || is_infinite(end))
+        || is_infinite(low) != low.starts_with("-\\infty")
+    {
         return None;
     }
     let range = match (endpoint(low), endpoint(high)) {

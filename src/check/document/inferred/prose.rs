@@ -231,7 +231,8 @@ pub(crate) fn is_named(notes: &Notes, span: Span) -> bool {
         let is_it = |name: &&str| word.strip_prefix(*name).is_some_and(|rest| ["", "s", "es"].contains(&rest));
         QUANTITIES.iter().any(is_it) || ["is", "are", "by", "called", "denote"].contains(&word.as_str())
     };
-    last(&words, &CONDITION).is_none() && (is_alone || words.last().is_some_and(is_quantity))
+    let gives_names = last(&words, &["name", "naming", "call", "calling", "abbreviating", "denoting"]).is_some();
+    last(&words, &CONDITION).is_none() && (is_alone || gives_names || words.last().is_some_and(is_quantity))
 }
 
 /// Whether the sentence of a formula begins with a condition.

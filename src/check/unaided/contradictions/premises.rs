@@ -65,8 +65,7 @@ pub(in crate::check::unaided) fn weighed(course: &Course<'_, '_>, found: &mut [E
             continue;
         }
         let ids: Vec<String> = alike.iter().map(|at| format!("({})", found[at - first].id)).collect();
-        found[premise] =
-            refuted(&found[premise], &suspicion.repair, format!("{} contradict this", ids.join(" and ")));
+        found[premise] = refuted(&found[premise], &suspicion.repair, format!("{} contradict this", ids.join(" and ")));
         let name = found[premise].id.clone();
         alike.iter().for_each(|at| found[at - first] = consistent(&found[at - first], &name));
     }

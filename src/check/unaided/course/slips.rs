@@ -17,11 +17,18 @@ use crate::notes::claims::Claim;
 const EQUAL: f64 = 1e-9;
 
 /// The inequalities in print.
-const INEQUALITIES: [&str; 12] = ["<", ">", "≤", "≥", "\\lt", "\\gt", "\\le", "\\ge", "\\leq", "\\geq", "\\leqslant", "\\geqslant"];
+const INEQUALITIES: [&str; 12] =
+    ["<", ">", "≤", "≥", "\\lt", "\\gt", "\\le", "\\ge", "\\leq", "\\geq", "\\leqslant", "\\geqslant"];
 
 impl Course<'_, '_> {
     /// The finding that a display is wrong, if a likely slip separates it from what follows.
-    pub(in crate::check::unaided) fn slip(&self, at: usize, claim: &Claim, set: &[&Premise], words: &Words) -> Result<Option<Equation>> {
+    pub(in crate::check::unaided) fn slip(
+        &self,
+        at: usize,
+        claim: &Claim,
+        set: &[&Premise],
+        words: &Words,
+    ) -> Result<Option<Equation>> {
         let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
         let (basis, search) = match set {
             [] => (Basis::Definitions, Search::Thorough),

@@ -69,12 +69,18 @@ fn reason(role: &str, range: &str, usage: Option<&Usage>) -> String {
         "functions" => return "a function, because names stand in parentheses behind it".to_owned(),
         "coordinates" => format!("a coordinate, because {moves} and the notes print a Lagrangian"),
         "varies with time" if usage.is_some_and(|usage| usage.moves) => format!("varies, because {moves}"),
+        "varies with time" if usage.is_some_and(|usage| usage.conserved) => {
+            "varies, because a formula with it is said to be constant".to_owned()
+        }
         "varies with time" => "varies, because another quantity is written as a function of it or of t".to_owned(),
         "constants" => "a constant, because nothing says that it varies".to_owned(),
         other => format!("{other}, as the notes suggest"),
     };
     let range = match range {
         "angle" => ", and an angle, because it stands alone in a sine or cosine",
+        "> 0" if !usage.is_some_and(|usage| usage.positive) => {
+            ", and positive, because it has a power, or because another quantity with this letter is positive"
+        }
         "> 0" => ", and positive, because it stands under a root, in a denominator or in a logarithm",
         _ => "",
     };

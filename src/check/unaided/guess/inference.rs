@@ -36,6 +36,9 @@ const DIRECTIONS: [&str; 20] = [
 /// Letters that change where a formula with them is said to be constant, as in `pV^\\gamma = \\text{const}`.
 const QUANTITIES_OF_STATE: [&str; 8] = ["p", "P", "V", "v", "T", "S", "U", "y"];
 
+/// Letters for quantities that are positive in each state if they are in one.
+const MEASURES: [&str; 14] = ["p", "P", "V", "T", "m", "M", "R", "C", "L", "n", "N", "\\rho", "\\lambda", "\\ell"];
+
 /// The claims that are inferred for notes.
 ///
 /// # Errors
@@ -239,7 +242,11 @@ impl Guess {
             let is_of_state = usage.conserved && usage.name.subscript.is_empty();
             let changes = is_of_state && QUANTITIES_OF_STATE.contains(&usage.name.base.as_str());
             let moves = usage.moves || is_of_time(usage) || changes && lagrangian.is_none();
-            let range = match (is_vector, usage.angle, usage.positive) {
+            // A quantity of one kind has one sign in all states. What has a power other than a whole one is not negative.
+            let is_alike = |other: &Usage| other.positive && other.name.base == usage.name.base;
+            let is_measure = MEASURES.contains(&usage.name.base.as_str());
+            let positive = usage.positive || usage.exponential || is_measure && usages.iter().any(is_alike);
+            let range = match (is_vector, usage.angle, positive) {
                 (true, ..) => "any",
                 (_, true, _) => "angle",
                 (_, _, true) => "> 0",

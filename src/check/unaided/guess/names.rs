@@ -303,11 +303,17 @@ fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'f mut Usage
 }
 
 fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
-    let mut after_function = false;
+    let (mut after_function, mut after_logarithm) = (false, false);
     for (index, item) in items.iter().enumerate() {
-        let here = Place { angle: after_function, ..place };
+        // Of the parts of ln(a/b) none is negative, as a rule; a sum may have negative terms.
+        let in_logarithm = after_logarithm && !has_terms(item);
+        let here = Place { angle: after_function, positive: place.positive || in_logarithm, ..place };
         if !is_space(item) {
-            after_function = false;
+            (after_function, after_logarithm) = (false, false);
+        }
+        if matches!(&item.layout, Layout::Command(name) if name == "\\ln" || name == "\\log") {
+            after_logarithm = true;
+            continue;
         }
         if is_trigonometric(item) {
             after_function = true;
@@ -321,7 +327,7 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
             let follows = items.get(index + 1);
             let usage = entry(found, &printed.name, at);
             usage.moves |= printed.dots > 0 || place.moves;
-            usage.positive |= place.positive;
+            usage.positive |= here.positive;
             usage.conserved |= place.conserved;
             usage.precedes |= items[index + 1..].iter().find(|next| !is_space(next)).is_some_and(is_factor);
             usage.angle |= here.angle && !follows.is_some_and(is_variable);
@@ -338,7 +344,7 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
             Layout::Group(inner) => walk(inner, here, at, found),
             Layout::Fence(_, inner) => {
                 let alone = inner.iter().filter(|item| !is_space(item)).count() == 1;
-                walk(inner, Place { angle: here.angle && alone, ..place }, at, found);
+                walk(inner, Place { angle: here.angle && alone, ..here }, at, found);
             }
             Layout::Scripts { nucleus, sup, .. } => {
                 walk(std::slice::from_ref(nucleus), here, at, found);
@@ -347,6 +353,7 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
                 }
             }
             Layout::Fraction(above, below) => {
+                let place = Place { positive: here.positive, ..place };
                 let moves = is_by_time(below);
                 let is_operator = is_differential(below) && is_letter_d(above);
                 let differentiated = is_differential(above) || is_operator;
@@ -378,6 +385,16 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
             }
             _ => {}
         }
+    }
+}
+
+/// Whether an item is a sum, or has one above a fraction line or in its parentheses.
+fn has_terms(item: &Item) -> bool {
+    let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
+    match &item.layout {
+        Layout::Fence(_, inner) | Layout::Group(inner) => inner.iter().any(|item| is_sign(item) || has_terms(item)),
+        Layout::Fraction(above, below) => has_terms(above) || has_terms(below),
+        _ => false,
     }
 }
 
