@@ -43,8 +43,10 @@ fn sets(checker: &Checker<'_>, name: &Expr, value: &Expr, (wanted, is_said): (&[
         Some(Meaning::Defined(_) | Meaning::System(_)) => value.symbols().is_empty() && varies(checker, name),
         _ => false,
     };
+    // The time may be said to be an instant of the problem: "if t = t_h".
     // The text may put a coordinate where the problem has a name for the place: "in the middle, x = x_0".
-    let moves = matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
+    let moves =
+        matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_) | Meaning::Time));
     let is_place = |symbol: SymbolId| {
         let name = Expr::new(Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, Span::default());
         is_said && moves && *dots == 0 && value.as_plain_symbol() == Some(symbol) && !varies(checker, &name)
@@ -57,6 +59,17 @@ fn sets(checker: &Checker<'_>, name: &Expr, value: &Expr, (wanted, is_said): (&[
     let is_wanted = |id: &SymbolId| wanted.contains(id);
     let is_open = !is_wanted(id) && !symbols.iter().any(|(id, _)| is_wanted(id) && !is_place(*id));
     is_free && is_open && symbols.len() <= 1 && symbols.iter().all(is_constant)
+}
+
+/// Whether a statement says that one constant of the problem is another one, as `m_1 = m_2` does.
+pub(super) fn compares_constants(checker: &Checker<'_>, statement: &Statement) -> bool {
+    let is_constant = |member: &Expr| {
+        let name = member.as_plain_symbol();
+        name.is_some_and(|id| matches!(checker.model.meaning(id), Some(Meaning::Constant(_))))
+    };
+    statement.members.len() == 2
+        && statement.members.iter().all(is_constant)
+        && statement.relations.iter().all(|(relation, _)| is_equality(*relation))
 }
 
 /// Each equality of a line, and the reading that says that what it is off by stays constant, where an initial value may
@@ -142,7 +155,7 @@ fn formula_has_undotted(formula: &Expr, id: SymbolId) -> bool {
 const DEEPEST: usize = 8;
 
 /// A formula in which the student's own names are replaced by what they stand for.
-fn expanded(checker: &Checker<'_>, before: usize, mut formula: Expr) -> Expr {
+pub(super) fn expanded(checker: &Checker<'_>, before: usize, mut formula: Expr) -> Expr {
     let of_problem = |id: SymbolId| {
         checker.readings[..before].iter().flat_map(|reading| &reading.introduced).any(|new| new.symbol == id)
     };
@@ -188,10 +201,16 @@ pub(super) struct Implied {
 }
 
 impl Implied {
-    /// What a reading says of a quantity among `own`: names that only the hand-in has.
-    pub fn by(checker: &Checker<'_>, own: &[Name], reading: &Reading) -> Option<Implied> {
+    /// What a reading says of a quantity among `own`, the names that only the hand-in has, or among those of the problem that
+    /// are left `open` there.
+    pub fn by(
+        checker: &Checker<'_>,
+        (own, open): (&[Name], &[SymbolId]),
+        reading: &Reading,
+    ) -> Option<Implied> {
         let [Ok(statement)] = reading.statements.as_slice() else { return None };
-        let own: Vec<SymbolId> = own.iter().filter_map(|name| Some(checker.model.symbols.find(name)?.0)).collect();
+        let own = own.iter().filter_map(|name| Some(checker.model.symbols.find(name)?.0));
+        let own: Vec<SymbolId> = own.chain(open.iter().copied()).collect();
         let is_free = |id: SymbolId| {
             own.contains(&id) && matches!(checker.model.meaning(id), Some(Meaning::Constant(_) | Meaning::Varying(_)))
         };

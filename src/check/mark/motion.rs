@@ -77,6 +77,11 @@ impl Motion {
         found.any(|own| self.solution(own.coordinate).is_some() && self.leaves_nothing_open(world, &own.formula))
     }
 
+    /// Whether the model solution prints the motion of a coordinate.
+    pub fn prints(&self, coordinate: SymbolId) -> bool {
+        self.solution(coordinate).is_some()
+    }
+
     /// The model solution for a coordinate.
     fn solution(&self, coordinate: SymbolId) -> Option<&Solution> {
         self.solutions.iter().find(|known| known.coordinate == coordinate)

@@ -25,6 +25,9 @@ pub(super) enum Status {
     Unread(String),
 }
 
+/// The fewest states that decide where others give no number.
+const ENOUGH: usize = 5;
+
 /// What a reading of a display is.
 pub(super) fn status(checker: &Checker<'_>, display: usize, reading: &Reading, claim: &Claim) -> Status {
     if let Some(known) = stated(reading) {
@@ -95,6 +98,8 @@ fn of_finding(finding: Finding) -> Status {
             | ForcedValue,
         )
         | (Verdict::Domain, _) => Status::Holds(Verdict::Verified),
+        // Where both sides have values they agree: a root exists only for some values of what it is taken of.
+        (Verdict::Undecided, Code::TooFewStates) if finding.points >= ENOUGH => Status::Holds(Verdict::Verified),
         (verdict, _) if verdict.passes() => Status::Holds(verdict),
         (verdict, _) => Status::Open(verdict, finding.message),
     }

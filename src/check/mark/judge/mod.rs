@@ -25,9 +25,12 @@ use super::slip;
 use super::special::{self, AT_SPEED};
 use super::status::{Status, approximate, composed, stated, status};
 use super::world::World;
-use super::written::instants::Instant;
 
+mod another_meaning;
 mod cases;
+mod instants;
+
+use another_meaning::{free_of, with_dots};
 
 /// Judges the lines of a hand-in; with `details`, with the slips in wrong lines.
 ///
@@ -35,19 +38,22 @@ mod cases;
 /// When the problem cannot be applied to the hand-in.
 pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<Judged> {
     world.checked(run, |checker| {
+        let first = world.first;
+        let readings: Vec<Reading> = checker.readings.iter().cloned().map(with_dots).collect();
+        let checker = Checker { readings: &readings, units: checker.units.clone(), ..checker };
+        let mut instants = instants::known(&checker, world, &Motion::of(&checker, world));
+        let mut model = checker.model.clone();
+        instants::defined_elsewhere(&mut model, &readings[first..], &mut instants);
+        let checker = Checker { model: &model, units: checker.units.clone(), ..checker };
         let quiet =
             Checker { options: Options { explain: false, ..checker.options }, units: checker.units.clone(), ..checker };
         let motion = Motion::of(&checker, world);
-        let named = |instant: &Instant| {
-            let id = checker.model.symbols.find(&names::parse(&instant.name)?.0)?.0;
-            Some((id, motion.value(&checker, instant)))
-        };
-        let instants = world.instants.iter().filter_map(named).collect();
         let mut judge = Judge {
             world,
             instants,
             run,
             checker: &checker,
+            open: free_of(&checker, &motion),
             implied: Vec::new(),
             wanted: results::names(&checker, world.problem),
             quiet: &quiet,
@@ -85,6 +91,8 @@ struct Judge<'j, 'c> {
     checker: &'j Checker<'c>,
     /// What relations said of the student's own quantities.
     implied: Vec<Implied>,
+    /// What moves in the problem, and nothing there determines.
+    open: Vec<SymbolId>,
     wanted: Vec<SymbolId>,
     quiet: &'j Checker<'c>,
     /// Whether a false line is compared with those before it; without that, numbers alone decide what holds.
@@ -123,8 +131,7 @@ impl Judge<'_, '_> {
             result: None,
             credit: None,
         };
-        let read = self.at_instants(self.quiet.readings[display].clone());
-        let reading = self.implied.iter().fold(read, |reading, implied| implied.applied(reading));
+        let reading = self.with_known(self.quiet.readings[display].clone());
         self.premises[display] = reading.clone();
         let before = written.continues.map(|_| at - 1);
         let broken = before.filter(|before| matches!(self.lines[*before].mark, Mark::Wrong | Mark::Carried));
@@ -204,6 +211,11 @@ impl Judge<'_, '_> {
         if written.continues.is_none() && has_value && (is_said || !is_last) {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = "a condition or a value, taken for granted".to_owned();
+            if !is_said && statements.iter().all(|statement| given::compares_constants(self.quiet, statement)) {
+                (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
+                line.because =
+                    "a condition that the problem does not have, and no word before it says that it is one".to_owned();
+            }
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
             self.known.add(reading, true);
             return Ok(());
@@ -214,12 +226,15 @@ impl Judge<'_, '_> {
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
             return Ok(());
         }
-        if let Some(implied) = Implied::by(self.quiet, &self.world.declared, reading)
+        if let Some(implied) = Implied::by(self.quiet, (&self.world.declared, &self.open), reading)
             && self.gives(display, reading, &implied)
             && (self.names_the_last(display, reading, &implied) || !(self.details && self.is_slip(at)?))
         {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
-            line.because = format!("defines {}, which the problem does not have", implied.name(self.quiet));
+            line.because = match self.open.contains(&implied.symbol()) {
+                true => format!("says what {} is, which the problem leaves open", implied.name(self.quiet)),
+                false => format!("defines {}, which the problem does not have", implied.name(self.quiet)),
+            };
             self.implied.push(implied);
             return Ok(());
         }
@@ -321,6 +336,10 @@ impl Judge<'_, '_> {
             None if self.details && !self.ends_are_false(display, reading) && self.leaves_open(at, reading)? => {
                 (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
                 line.because = format!("uses {}, which is defined nowhere", self.unknown(reading).join(", "));
+            }
+            None if self.another_meaning(display, reading).is_some() => {
+                (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
+                line.because = self.another_meaning(display, reading).unwrap_or_default();
             }
             None => {
                 line.mark = Mark::Wrong;
