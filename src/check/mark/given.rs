@@ -61,11 +61,16 @@ fn sets(checker: &Checker<'_>, name: &Expr, value: &Expr, (wanted, is_said): (&[
     is_free && is_open && symbols.len() <= 1 && symbols.iter().all(is_constant)
 }
 
-/// Whether a statement says that one constant of the problem is another one, as `m_1 = m_2` does.
-pub(super) fn compares_constants(checker: &Checker<'_>, statement: &Statement) -> bool {
+/// Whether a statement says that one constant of the problem is another one, as `m_1 = m_2` does. `is_own` tells the names
+/// that only the hand-in has.
+pub(super) fn compares_constants(
+    checker: &Checker<'_>,
+    statement: &Statement,
+    is_own: impl Fn(SymbolId) -> bool,
+) -> bool {
     let is_constant = |member: &Expr| {
         let name = member.as_plain_symbol();
-        name.is_some_and(|id| matches!(checker.model.meaning(id), Some(Meaning::Constant(_))))
+        name.is_some_and(|id| matches!(checker.model.meaning(id), Some(Meaning::Constant(_))) && !is_own(id))
     };
     statement.members.len() == 2
         && statement.members.iter().all(is_constant)
@@ -212,7 +217,8 @@ impl Implied {
         let own = own.iter().filter_map(|name| Some(checker.model.symbols.find(name)?.0));
         let own: Vec<SymbolId> = own.chain(open.iter().copied()).collect();
         let is_free = |id: SymbolId| {
-            own.contains(&id) && matches!(checker.model.meaning(id), Some(Meaning::Constant(_) | Meaning::Varying(_)))
+            let is_number = matches!(checker.model.meaning(id), Some(Meaning::Constant(_) | Meaning::Varying(_)));
+            own.contains(&id) && is_number || open.contains(&id)
         };
         let links = statement.members.windows(2).zip(&statement.relations);
         links.filter(|(_, (relation, _))| is_equality(*relation)).find_map(|(pair, _)| {

@@ -175,6 +175,35 @@ impl Motion {
         formula.symbols().iter().all(is_fixed).then(|| at(&formula, time, &when))
     }
 
+    /// What a line says of coordinates and velocities at the start, where the motion is known.
+    pub fn at_start(&self, checker: &Checker<'_>, reading: &Reading) -> Option<Reading> {
+        let is_time = |id: &SymbolId| matches!(checker.model.meaning(*id), Some(Meaning::Time));
+        let time = checker.model.symbols.iter().map(|(id, _)| id).find(is_time)?;
+        let mut start = reading.clone();
+        let mut is_any = false;
+        for member in start.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+            let moving = self.solutions.iter().map(|known| known.coordinate);
+            for id in moving.filter(|id| member.symbols().iter().any(|(found, _)| found == id)).collect::<Vec<_>>() {
+                for (_, order) in member.symbols().into_iter().filter(|(found, _)| *found == id) {
+                    for dots in 0..=order {
+                        let name = Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, member.span);
+                        let mut value = self.inserted(checker, name);
+                        differentiated(checker, &mut value, time)?;
+                        let value = at(&value, time, &Expr::integer(0, member.span));
+                        is_any = true;
+                        member.substitute(&|node| match node {
+                            Node::Symbol { id: found, dots: rate, .. } if *found == id && *rate == dots => {
+                                Some(value.clone())
+                            }
+                            _ => None,
+                        });
+                    }
+                }
+            }
+        }
+        is_any.then_some(start)
+    }
+
     /// The time and the coordinates.
     fn moving(&self, checker: &Checker<'_>) -> Vec<SymbolId> {
         let all = checker.model.symbols.iter().map(|(id, _)| id);

@@ -397,6 +397,7 @@ fn links(checker: &Checker<'_>, reading: &Reading) -> Vec<Link> {
         add(0, last);
         if last > 1 {
             (0..last).for_each(|at| add(at, at + 1));
+            (2..last).for_each(|at| add(0, at));
         }
     }
     found

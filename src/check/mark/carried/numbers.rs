@@ -23,6 +23,8 @@ use super::{Before, derived};
 
 /// The states at which equations are compared, and how many of them must decide.
 pub(in crate::check::mark) const STATES: usize = 8;
+/// The states where fewer give too few numbers.
+const MORE_STATES: usize = 4 * STATES;
 /// The fewest states that decide.
 pub(in crate::check::mark) const FEWEST: usize = 3;
 
@@ -50,9 +52,16 @@ pub(in crate::check::mark) fn holds(
         local: &[],
     };
     let mode = context.mode(false, &[&link.lhs, &link.rhs]);
-    let ensemble = context.ensemble(mode, false, STATES).ok()?;
-    let outcome = outcome::run(link, &ensemble.states).ok()?;
-    match (outcome.failure.is_some(), outcome.points >= FEWEST) {
+    let tried = |states: usize| {
+        let ensemble = context.ensemble(mode, false, states).ok()?;
+        let outcome = outcome::run(link, &ensemble.states).ok()?;
+        Some((outcome.failure.is_some(), outcome.points))
+    };
+    // Where a side has a value only in some states, as a root has, more are drawn.
+    let (fails, points) = tried(STATES)?;
+    let (fails, points) =
+        if !fails && (1..FEWEST).contains(&points) { tried(MORE_STATES)? } else { (fails, points) };
+    match (fails, points >= FEWEST) {
         (true, _) => Some(false),
         (false, true) => Some(true),
         (false, false) => None,
@@ -68,6 +77,12 @@ pub(in crate::check::mark) fn follows(
 ) -> bool {
     let (Some(wrong), Some(own)) = (links(checker, &checker.readings[from]), links(checker, reading)) else {
         return false;
+    };
+    // Of a chain only the links count that are false: the others hold whatever is carried.
+    let is_false = |link: &Link| own.len() == 1 || holds(checker, checker.model, link, &[]) != Some(true);
+    let own: Vec<Link> = match own.iter().filter(|link| is_false(link)).cloned().collect::<Vec<_>>() {
+        none if none.is_empty() => own,
+        some => some,
     };
     let mut model = checker.without_system(false).model;
     for id in conserved(checker, from, wrong.iter().chain(&own)) {
@@ -93,6 +108,8 @@ pub(in crate::check::mark) fn follows(
         }
     }
     derived.extend(derived::at_instants(checker, &checker.readings[from], reading));
+    derived.extend(derived::at_turns(checker, &checker.readings[from], reading));
+    derived.extend(before.motion.at_start(checker, &checker.readings[from]));
     let derived: Vec<Vec<Link>> = derived.iter().filter_map(|reading| links(checker, reading)).collect();
     let rates: Vec<Link> = wrong.iter().filter_map(|link| rate(checker, link)).collect();
     let mut sets = vec![premises(&mut wrong.iter()), premises(&mut rates.iter())];

@@ -1,12 +1,14 @@
 //! Lines that fail only since a letter has another meaning in the problem, or none that decides: they are left open. What they
 //! say of other things is judged all the same.
 
-use crate::formula::{Expr, Node, Statement, SymbolId};
+use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
 use crate::latex::Reading;
+use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::mark::motion::Motion;
 use crate::check::mark::status::Status;
+use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
 
 use super::Judge;
@@ -38,55 +40,110 @@ pub(super) fn free_of(checker: &Checker<'_>, motion: &Motion) -> Vec<SymbolId> {
     model.symbols.iter().map(|(id, _)| id).filter(is_free).collect()
 }
 
+/// The name and the line of a condition that the problem does not meet.
+pub(super) type Break = (SymbolId, String);
+
+/// Whether a statement says that a quantity is 0 that the problem determines otherwise: the text may speak of what comes
+/// later, as of a string that is slack. The quantity.
+pub(super) fn vanishes(checker: &Checker<'_>, statements: &[&Statement]) -> Option<SymbolId> {
+    let [statement] = statements else { return None };
+    let ([first, second], [(relation, _)]) = (statement.members.as_slice(), statement.relations.as_slice()) else {
+        return None;
+    };
+    let name = first.as_plain_symbol().filter(|_| is_equality(*relation) && second.is_null())?;
+    matches!(checker.model.meaning(name), Some(Meaning::Defined(_))).then_some(name)
+}
+
 impl Judge<'_, '_> {
+    /// Whether a name is one that only the hand-in has.
+    pub(super) fn is_own(&self, id: SymbolId) -> bool {
+        let symbols = &self.quiet.model.symbols;
+        self.world.declared.contains(&symbols.entry(id).name)
+    }
+
+    /// Whether a statement is an equality between constants of the problem, as a special case is.
+    pub(super) fn relates_constants(&self, statement: &Statement) -> bool {
+        let is_constant = |(id, dots): &(SymbolId, u8)| {
+            *dots == 0 && matches!(self.quiet.model.meaning(*id), Some(Meaning::Constant(_))) && !self.is_own(*id)
+        };
+        let symbols: Vec<(SymbolId, u8)> = statement.members.iter().flat_map(Expr::symbols).collect();
+        let is_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
+        is_equal && statement.members.len() == 2 && !symbols.is_empty() && symbols.iter().all(is_constant)
+    }
+
     /// Why a false line may be true with another meaning of its letters; `None`, if it says something false beside that.
     pub(super) fn another_meaning(&self, display: usize, reading: &Reading) -> Option<String> {
-        let model = self.quiet.model;
-        let own = |id: SymbolId| {
-            self.world.declared.iter().any(|name| model.symbols.find(name).is_some_and(|(found, _)| found == id))
-        };
-        let moving: Vec<SymbolId> = model
-            .symbols
-            .iter()
-            .map(|(id, _)| id)
-            .filter(|id| {
-                matches!(
-                    model.meaning(*id),
-                    Some(Meaning::Coordinate(_) | Meaning::Varying(_) | Meaning::Time | Meaning::System(_))
-                )
-            })
-            .collect();
-        let is_fixed = |id: SymbolId| {
-            matches!(model.meaning(id), Some(Meaning::Constant(_) | Meaning::Defined(_)))
-                && !model.depends_on(&symbol(id), &moving)
-                && !own(id)
-        };
-        // Each link alone: what it says of quantities that are known must hold.
         let mut why = None;
+        // Each link alone: what it says of quantities that are known must hold.
         for statement in reading.statements.iter().flatten() {
             for (pair, relation) in statement.members.windows(2).zip(&statement.relations) {
-                let symbols = || pair.iter().flat_map(Expr::symbols);
-                let is_open = pair.iter().any(|side| model.depends_on(side, &self.open));
-                let changing = symbols().find(|(id, dots)| *dots > 0 && is_fixed(*id));
-                if let Some((id, _)) = changing {
-                    why = Some(format!("{} is constant in the problem, and changes here", self.shown(id)));
+                let found = self.open_link(pair).or_else(|| self.after_a_break(pair));
+                if found.is_some() {
+                    why = found;
                     continue;
                 }
-                if is_open {
-                    let names = self.open.iter().filter(|id| pair.iter().any(|side| model.depends_on(side, &[**id])));
-                    let names: Vec<String> = names.map(|id| self.shown(*id)).collect();
-                    why = Some(format!("nothing in the problem says how {} moves", names.join(", ")));
-                    continue;
-                }
-                let alone =
-                    Statement { members: pair.to_vec(), relations: vec![*relation], ..statement.clone() };
-                let alone = Reading { statements: vec![Ok(alone)], introduced: Vec::new() };
-                if let Status::False(_) = self.status(display, &alone).0 {
-                    return None;
+                let alone = Statement { members: pair.to_vec(), relations: vec![*relation], ..statement.clone() };
+                if let Status::False(_) = self.status(display, &alone_of(alone.clone())).0 {
+                    let Some(found) = self.holds_somewhere(display, alone) else { return None };
+                    why = Some(found);
                 }
             }
         }
         why
+    }
+
+    /// Why a link says nothing of what the problem determines.
+    fn open_link(&self, pair: &[Expr]) -> Option<String> {
+        let model = self.quiet.model;
+        let moving = self.moving();
+        let is_fixed = |id: SymbolId| {
+            matches!(model.meaning(id), Some(Meaning::Constant(_) | Meaning::Defined(_)))
+                && !model.depends_on(&symbol(id), &moving)
+                && !self.is_own(id)
+        };
+        let mut symbols = pair.iter().flat_map(Expr::symbols);
+        if let Some((id, _)) = symbols.find(|(id, dots)| *dots > 0 && is_fixed(*id)) {
+            return Some(format!("{} is constant in the problem, and changes here", self.shown(id)));
+        }
+        let open = self.open.iter().filter(|id| pair.iter().any(|side| model.depends_on(side, &[**id])));
+        let names: Vec<String> = open.map(|id| self.shown(*id)).collect();
+        (!names.is_empty()).then(|| format!("nothing in the problem says how {} moves", names.join(", ")))
+    }
+
+    /// Why a link is not judged after a condition that the problem does not meet: what moves may then move in another way.
+    fn after_a_break(&self, pair: &[Expr]) -> Option<String> {
+        let (_, name) = self.breaks.last()?;
+        let names = self.moving().into_iter().chain(self.breaks.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
+        let is_about = pair.iter().any(|side| self.quiet.model.depends_on(side, &names));
+        is_about.then(|| format!("{name} says what the problem does not, and this may follow from it"))
+    }
+
+    /// Why an inequality between quantities of the problem is not false: it holds for some values of them.
+    fn holds_somewhere(&self, display: usize, statement: Statement) -> Option<String> {
+        let [(relation, place)] = statement.relations.as_slice() else { return None };
+        let opposite = match relation {
+            Relation::Less | Relation::LessEqual => Relation::Greater,
+            Relation::Greater | Relation::GreaterEqual => Relation::Less,
+            _ => return None,
+        };
+        let relations = vec![(opposite, *place)];
+        let other = alone_of(Statement { relations, ..statement });
+        let fails = matches!(self.status(display, &other).0, Status::False(_));
+        fails.then(|| "it holds for some values of the quantities, and the problem does not say which they have".to_owned())
+    }
+
+    /// What changes with time in the problem.
+    fn moving(&self) -> Vec<SymbolId> {
+        let model = self.quiet.model;
+        let all = model.symbols.iter().map(|(id, _)| id);
+        all.filter(|id| {
+            let meaning = model.meaning(*id);
+            matches!(
+                meaning,
+                Some(Meaning::Coordinate(_) | Meaning::Varying(_) | Meaning::Time | Meaning::System(_))
+            )
+        })
+        .collect()
     }
 
     fn shown(&self, id: SymbolId) -> String {
@@ -94,6 +151,10 @@ impl Judge<'_, '_> {
     }
 }
 
+fn alone_of(statement: Statement) -> Reading {
+    Reading { statements: vec![Ok(statement)], introduced: Vec::new() }
+}
+
 fn symbol(id: SymbolId) -> Expr {
-    Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, crate::source::Span::default())
+    Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default())
 }

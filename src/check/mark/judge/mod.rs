@@ -30,7 +30,7 @@ mod another_meaning;
 mod cases;
 mod instants;
 
-use another_meaning::{free_of, with_dots};
+use another_meaning::{Break, free_of, vanishes, with_dots};
 
 /// Judges the lines of a hand-in; with `details`, with the slips in wrong lines.
 ///
@@ -62,6 +62,7 @@ pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<J
             trusted: checker.readings.to_vec(),
             premises: checker.readings.to_vec(),
             conditions: Vec::new(),
+            breaks: Vec::new(),
             known: Known::default(),
             lines: Vec::new(),
         };
@@ -106,6 +107,8 @@ struct Judge<'j, 'c> {
     premises: Vec<Reading>,
     /// The conditions that were stated, as LaTeX, with the names of their lines.
     conditions: Vec<(String, String)>,
+    /// The conditions that the problem does not meet.
+    breaks: Vec<Break>,
     /// What the lines say that symbols are.
     known: Known,
     lines: Vec<Line>,
@@ -211,13 +214,26 @@ impl Judge<'_, '_> {
         if written.continues.is_none() && has_value && (is_said || !is_last) {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = "a condition or a value, taken for granted".to_owned();
-            if !is_said && statements.iter().all(|statement| given::compares_constants(self.quiet, statement)) {
+            let own = |id: SymbolId| self.is_own(id);
+            if !is_said && statements.iter().all(|statement| given::compares_constants(self.quiet, statement, own)) {
                 (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
                 line.because =
                     "a condition that the problem does not have, and no word before it says that it is one".to_owned();
             }
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
             self.known.add(reading, true);
+            return Ok(());
+        }
+        if let Some(name) = vanishes(self.quiet, &statements).filter(|_| is_said) {
+            (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
+            line.because = "a condition that the problem does not have".to_owned();
+            self.breaks.push((name, written.name.clone()));
+            return Ok(());
+        }
+        if written.is_if && statements.iter().all(|statement| self.relates_constants(statement)) {
+            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
+            line.because = "a condition, taken for granted".to_owned();
+            self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
             return Ok(());
         }
         if self.has_unknown_instant(reading) {

@@ -248,7 +248,7 @@ fn options(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> 
     let mut found = Vec::new();
     for (name, role, angle) in &known.names {
         if *role == Role::Moving {
-            let dots = rate(&usage.name, *angle);
+            let dots = rate(&usage.name, name, *angle);
             found.extend(dots.map(|dots| (1, StandsFor { name: name.clone(), dots })));
         }
         // A letter that stands for another quantity leaves its own meaning to others.
@@ -273,9 +273,12 @@ fn alike(a: &Name, b: &Name) -> bool {
     letter(a) == letter(b)
 }
 
-/// The order of the rate that a letter usually stands for: of an angle, or of a length.
-fn rate(name: &Name, angle: bool) -> Option<u8> {
+/// The order of the rate of `of` that a letter usually stands for: of an angle, of a charge, or of a length.
+fn rate(name: &Name, of: &Name, angle: bool) -> Option<u8> {
+    let is_charge = ["q", "Q"].contains(&of.base.as_str());
     match (name.base.as_str(), angle) {
+        // u and w are voltages and works where charges flow.
+        ("u" | "w" | "V" | "a" | "A", false) if is_charge => None,
         ("v" | "u" | "w" | "V", false) | ("\\omega" | "\\Omega" | "w", true) => Some(1),
         ("a" | "A", false) | ("\\alpha" | "\\beta" | "\\varepsilon" | "\\epsilon", true) => Some(2),
         _ => None,
