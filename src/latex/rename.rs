@@ -89,7 +89,11 @@ impl Renamed {
     /// Adds a piece of the original, apart from a command that stands before it now: `\omega_0t` with ω for ω_0.
     fn push_apart(&mut self, text: &str, from: Span) {
         let is_letter = text.starts_with(|c: char| c.is_ascii_alphabetic());
-        if is_letter && from.start > 0 && ends_with_command(&self.text) && self.text.ends_with(|c: char| c.is_ascii_alphabetic()) {
+        if is_letter
+            && from.start > 0
+            && ends_with_command(&self.text)
+            && self.text.ends_with(|c: char| c.is_ascii_alphabetic())
+        {
             self.push(" ", Span::new(from.start, from.start));
         }
         self.push(text, from);

@@ -170,6 +170,7 @@ impl Motion {
         let is_fixed = |(id, dots): &(SymbolId, u8)| {
             let name = Expr::new(Node::Symbol { id: *id, indices: Vec::new(), dots: 0 }, formula.span);
             *dots == 0
+                && !checker.model.is_defined_by_itself(*id)
                 && (*id == time || !checker.model.depends_on(&name, &moving) && checker.model.meaning(*id).is_some())
         };
         formula.symbols().iter().all(is_fixed).then(|| at(&formula, time, &when))

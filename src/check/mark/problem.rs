@@ -1,8 +1,8 @@
 //! The problem: the claims and the notes of the teacher, prepared once for all hand-ins.
 
 use crate::code::Code;
-use crate::notes::address::{self, Address, Point, Target};
 use crate::latex::names;
+use crate::notes::address::{self, Address, Point, Target};
 use crate::notes::claims::{Claim, Claims, Role, Rubric, Share, Spanned};
 use crate::notes::{Display, Notes, Numbered};
 use crate::source::Span;
@@ -229,7 +229,8 @@ fn with_accelerations(claims: &Claims, notes: &Notes) -> Option<Claims> {
     let named = notes.inline.iter().find_map(|span| {
         let text = notes.source.text.get(span.range())?.trim_matches('$');
         let (first, second) = text.split_once('=')?;
-        let is_rate = |text: &str| rates.iter().find(|(_, rate)| squeezed(rate) == squeezed(text)).map(|(name, _)| *name);
+        let is_rate =
+            |text: &str| rates.iter().find(|(_, rate)| squeezed(rate) == squeezed(text)).map(|(name, _)| *name);
         let (of, other) = is_rate(first).map(|of| (of, second)).or_else(|| Some((is_rate(second)?, first)))?;
         names::parse(other.trim())?;
         Some((of, format!("\\ddot{{{}}} = {}", of.value, other.trim())))

@@ -76,8 +76,8 @@ pub(super) fn stated(reading: &Reading) -> Option<Status> {
 
 fn of_finding(finding: Finding) -> Status {
     use Code::{
-        Definition, DefinitionNotTested, DefinitionUnused, DefinitionUpToSign, FollowsFromHypotheses, ForcedValue,
-        MutantPasses, RestatesHypothesis, SameFormula, SideAlwaysZero, TrueByDefinition, UnitMismatch,
+        AlwaysConstant, Definition, DefinitionNotTested, DefinitionUnused, DefinitionUpToSign, FollowsFromHypotheses,
+        ForcedValue, MutantPasses, RestatesHypothesis, SameFormula, SideAlwaysZero, TrueByDefinition, UnitMismatch,
     };
     let is_named =
         |code: Code| matches!(code, Definition | DefinitionNotTested | DefinitionUnused | DefinitionUpToSign);
@@ -95,6 +95,7 @@ fn of_finding(finding: Finding) -> Status {
             | TrueByDefinition
             | MutantPasses
             | SideAlwaysZero
+            | AlwaysConstant
             | ForcedValue,
         )
         | (Verdict::Domain, _) => Status::Holds(Verdict::Verified),

@@ -23,6 +23,7 @@ use super::names::Letters;
 use super::problem::Problem;
 use super::written::Written;
 use super::written::instants::Instant;
+use super::written::single_letters;
 
 /// Commands for functions in other languages.
 const FOREIGN: [(&str, &str); 6] = [
@@ -237,7 +238,7 @@ impl<'p> World<'p> {
 
     /// A formula with the letters of the student.
     pub fn in_own_letters(&self, latex: &str) -> String {
-        renamed(latex, &Macros::default(), &self.back).text
+        single_letters::as_written(&renamed(latex, &Macros::default(), &self.back).text)
     }
 
     /// The display of the `at`-th line.

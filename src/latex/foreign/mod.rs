@@ -53,6 +53,7 @@ pub(super) fn edits(text: &str) -> Vec<(Span, String)> {
     edits.extend(differentials::rates(text));
     edits.extend(thousands(text));
     edits.extend(sums(text));
+    edits.extend(slashes::colons(text));
     edits.extend(numbers(text).into_iter().filter_map(|number| {
         degrees(text, number).or_else(|| {
             let (end, power) = units(text, number.end)?;

@@ -77,6 +77,19 @@ pub(super) fn products_in_exponents(text: &str) -> Vec<(Span, String)> {
     edits
 }
 
+/// The edits that make a colon between two quantities a slash: `r = V_1 : V_2`.
+pub(super) fn colons(text: &str) -> Vec<(Span, String)> {
+    let divides = |at: &usize| {
+        let (before, after) = (text[..*at].trim_end(), skipped(text, at + 1));
+        let starts = before.char_indices().map(|(start, _)| start).rev().take(20);
+        let is_quantity = starts.filter(|start| factor(text, *start) == Some(before.len())).last();
+        let is_after_equality = is_quantity.is_some_and(|start| before[..start].trim_end().ends_with('='));
+        is_after_equality && factor(text, after).is_some_and(|end| text[skipped(text, end)..].trim().is_empty())
+    };
+    let places = text.match_indices(':').map(|(at, _)| at);
+    places.filter(divides).map(|at| (Span::new(at, at + 1), "/".to_owned())).collect()
+}
+
 /// The plain factors that stand side by side from a place on: letters with their subscripts, and numbers. None, if something
 /// else, as a parenthesis, stands among them.
 fn factors(text: &str, from: usize) -> Vec<Span> {
@@ -139,6 +152,15 @@ mod tests {
         assert_eq!(plain(r"e^{-k/m t}"), r"e^{-k/m \cdot t}");
         // The twins: one factor, parentheses, no exponent, a factor that is no letter.
         for text in [r"e^{-t/\tau}", r"e^{-t/(RC)}", r"t/RC", r"e^{-t/R(C)}", r"e^{-x/l \cos x}"] {
+            assert_eq!(plain(text), text);
+        }
+    }
+
+    #[test]
+    fn a_colon_between_two_quantities_divides() {
+        assert_eq!(plain(r"r = V_1 : V_2"), r"r = V_1 / V_2");
+        // The twins: a definition, a colon after a condition, a map.
+        for text in ["r := V_1", "x = 0: y = 1", "f : a"] {
             assert_eq!(plain(text), text);
         }
     }

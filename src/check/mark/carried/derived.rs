@@ -160,9 +160,10 @@ pub(super) fn at_turns(checker: &Checker<'_>, wrong: &Reading, own: &Reading) ->
         .flat_map(|(value, _)| {
             [0, 1].map(|other| {
                 replaced(wrong, &|node| match node {
-                    Node::Symbol { id: found, dots, indices } if *found == id && *dots == other => {
-                        Some(Expr::new(Node::Symbol { id: value, indices: indices.clone(), dots: 0 }, Default::default()))
-                    }
+                    Node::Symbol { id: found, dots, indices } if *found == id && *dots == other => Some(Expr::new(
+                        Node::Symbol { id: value, indices: indices.clone(), dots: 0 },
+                        Default::default(),
+                    )),
                     Node::Symbol { id: found, .. } if *found == id => Some(Expr::integer(0, Default::default())),
                     _ => None,
                 })

@@ -59,13 +59,19 @@ pub(in crate::check::mark) fn holds(
     };
     // Where a side has a value only in some states, as a root has, more are drawn.
     let (fails, points) = tried(STATES)?;
-    let (fails, points) =
-        if !fails && (1..FEWEST).contains(&points) { tried(MORE_STATES)? } else { (fails, points) };
+    let is_short = !fails && points < FEWEST && (points > 0 || has_root(&link.lhs) || has_root(&link.rhs));
+    let (fails, points) = if is_short { tried(MORE_STATES)? } else { (fails, points) };
     match (fails, points >= FEWEST) {
         (true, _) => Some(false),
         (false, true) => Some(true),
         (false, false) => None,
     }
+}
+
+fn has_root(formula: &Expr) -> bool {
+    let mut found = false;
+    formula.walk(&mut |part| found |= matches!(part.node, Node::Root(..)));
+    found
 }
 
 /// Whether a false line follows from a false line, by itself or with true lines.

@@ -8,6 +8,7 @@ use crate::source::Span;
 use crate::check::document::checker::Checker;
 use crate::check::mark::motion::Motion;
 use crate::check::mark::status::Status;
+use crate::check::mark::written::single_letters;
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
 
@@ -101,8 +102,12 @@ impl Judge<'_, '_> {
                 && !model.depends_on(&symbol(id), &moving)
                 && !self.is_own(id)
         };
-        let mut symbols = pair.iter().flat_map(Expr::symbols);
-        if let Some((id, _)) = symbols.find(|(id, dots)| *dots > 0 && is_fixed(*id)) {
+        let symbols = || pair.iter().flat_map(Expr::symbols);
+        let is_instant = |id: SymbolId| single_letters::is_instant(&model.symbols.entry(id).name);
+        if symbols().any(|(id, _)| is_instant(id)) {
+            return Some("t is an instant here, and this may be another one".to_owned());
+        }
+        if let Some((id, _)) = symbols().find(|(id, dots)| *dots > 0 && is_fixed(*id)) {
             return Some(format!("{} is constant in the problem, and changes here", self.shown(id)));
         }
         let open = self.open.iter().filter(|id| pair.iter().any(|side| model.depends_on(side, &[**id])));
@@ -129,7 +134,9 @@ impl Judge<'_, '_> {
         let relations = vec![(opposite, *place)];
         let other = alone_of(Statement { relations, ..statement });
         let fails = matches!(self.status(display, &other).0, Status::False(_));
-        fails.then(|| "it holds for some values of the quantities, and the problem does not say which they have".to_owned())
+        fails.then(|| {
+            "it holds for some values of the quantities, and the problem does not say which they have".to_owned()
+        })
     }
 
     /// What changes with time in the problem.
@@ -138,10 +145,7 @@ impl Judge<'_, '_> {
         let all = model.symbols.iter().map(|(id, _)| id);
         all.filter(|id| {
             let meaning = model.meaning(*id);
-            matches!(
-                meaning,
-                Some(Meaning::Coordinate(_) | Meaning::Varying(_) | Meaning::Time | Meaning::System(_))
-            )
+            matches!(meaning, Some(Meaning::Coordinate(_) | Meaning::Varying(_) | Meaning::Time | Meaning::System(_)))
         })
         .collect()
     }

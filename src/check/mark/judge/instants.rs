@@ -25,8 +25,13 @@ pub(super) fn known(checker: &Checker<'_>, world: &World<'_>, motion: &Motion) -
 
 /// Gives the name that stands for a value at an instant, as in `u(0) = U_0`, the meaning that another line gives it, as
 /// `U_0 = Q_0/C` does: the value at the instant is then what is defined.
-pub(super) fn defined_elsewhere(model: &mut Model, lines: &[Reading], values: &mut [Value]) {
-    for (value, known) in values.iter_mut().filter(|(_, known)| known.is_none()) {
+pub(super) fn defined_elsewhere(model: &mut Model, lines: &[Reading], values: &mut Vec<Value>) {
+    for (value, known) in values {
+        // A value that is given by its own name is not known.
+        if known.as_ref().is_some_and(|known| !model.depends_on(known, &[*value])) {
+            continue;
+        }
+        *known = None;
         let is_it = |id: &SymbolId| match model.meaning(*id) {
             Some(Meaning::Defined(formula)) => formula.as_plain_symbol() == Some(*value),
             _ => false,

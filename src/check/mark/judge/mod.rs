@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Statement, SymbolId};
+use crate::formula::{Expr, Relation, Statement, SymbolId};
 use crate::latex::{Reading, names};
 use crate::notes::claims::{Claim, Lost, Spanned};
 use crate::source::Span;
@@ -20,7 +20,7 @@ use super::judged::Judged;
 use super::marked::{Line, Mark};
 use super::motion::{Along, Motion};
 use super::results;
-use super::rounded::Known;
+use super::rounded::{self, Known};
 use super::slip;
 use super::special::{self, AT_SPEED};
 use super::status::{Status, approximate, composed, stated, status};
@@ -158,6 +158,9 @@ impl Judge<'_, '_> {
             line.verdict = Some(Verdict::Refuted);
             self.push(line);
             return Ok(());
+        }
+        if matches!(status, Status::Open(..) | Status::False(_)) && self.is_near(display, &reading) {
+            (status, under) = (Status::Holds(Verdict::Verified), "right to the printed digits".to_owned());
         }
         match status {
             Status::Holds(verdict) => {
@@ -353,11 +356,11 @@ impl Judge<'_, '_> {
                 (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
                 line.because = format!("uses {}, which is defined nowhere", self.unknown(reading).join(", "));
             }
-            None if self.another_meaning(display, reading).is_some() => {
-                (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
-                line.because = self.another_meaning(display, reading).unwrap_or_default();
-            }
             None => {
+                if let Some(why) = self.another_meaning(display, reading).filter(|_| self.details) {
+                    (line.mark, line.verdict, line.because) = (Mark::Open, Some(Verdict::Undecided), why);
+                    return Ok(());
+                }
                 line.mark = Mark::Wrong;
                 line.because = match wrong.is_empty() {
                     true => "does not follow from the problem".to_owned(),
@@ -473,6 +476,34 @@ impl Judge<'_, '_> {
 
     fn along(&self, checker: &Checker<'_>, display: usize, reading: &Reading, claim: &Claim) -> Along {
         self.motion.along((checker, self.world), (display, reading), (claim, !self.details))
+    }
+
+    /// Whether a reading with ≈ is right to the printed digits, and its equalities hold, alone or under the conditions.
+    fn is_near(&self, display: usize, reading: &Reading) -> bool {
+        let text = &self.quiet.notes.equations[display].text;
+        let spanned = |(text, _): &(String, String)| Spanned::new(text.clone(), Span::default());
+        let under = Claim { assume: self.conditions.iter().map(spanned).collect(), ..Claim::default() };
+        let sets: Vec<_> = [&Claim::default(), &under].into_iter().map(|claim| self.quiet.hypotheses(claim)).collect();
+        // Under conditions a number is rounded, though = stands before it.
+        let is_approximate = |relation: Relation, pair: &[Expr]| {
+            let is_number = !self.conditions.is_empty() && pair[1].symbols().is_empty();
+            relation == Relation::Approximately || relation == Relation::Equal && is_number
+        };
+        let mut any = false;
+        let all = reading.statements.iter().all(|statement| {
+            let Ok(statement) = statement else { return false };
+            statement.members.windows(2).zip(&statement.relations).all(|(pair, relation)| {
+                if is_approximate(relation.0, pair) {
+                    any = true;
+                    let Some(text) = text.get(pair[1].span.range()) else { return false };
+                    return sets.iter().flatten().any(|set| rounded::agrees(self.quiet, text, pair, set) == Some(true));
+                }
+                let alone = Statement { members: pair.to_vec(), relations: vec![*relation], ..statement.clone() };
+                let alone = Reading { statements: vec![Ok(alone)], introduced: Vec::new() };
+                matches!(self.status(display, &alone).0, Status::Holds(_))
+            })
+        });
+        any && all
     }
 
     /// Whether a reading is right to the printed digits, with the numbers that the student gave to the quantities.

@@ -27,7 +27,7 @@ use crate::check::mark::marked::Mark;
 use crate::check::mark::names::{Letters, Names, Role, StandsFor};
 use crate::check::mark::problem::{self, Problem};
 use crate::check::mark::world::World;
-use crate::check::mark::written::{Written, instants, written};
+use crate::check::mark::written::{Written, instants, single_letters, written};
 
 /// The most ways that are tried.
 const WAYS: usize = 60;
@@ -49,6 +49,8 @@ pub(in crate::check::mark) fn best(
     let mut lines = written(notes, &macros);
     instants::without_ohms(&mut lines, &problem.names);
     let instants = instants::named(&mut lines, &problem.names);
+    single_letters::instants(&mut lines, &problem.names, &macros);
+    single_letters::charges(&mut lines, &problem.names);
     let used = usages(notes, &lines, &macros);
     let known = &problem.names;
     let declared = declared(problem, &used);
@@ -57,7 +59,8 @@ pub(in crate::check::mark) fn best(
         judge(run, &world, details)
     };
     let shown = |table: &Letters| {
-        let mut pairs: Vec<(String, String)> = table.iter().map(|(a, b)| (a.to_string(), b.latex())).collect();
+        let mut pairs: Vec<(String, String)> =
+            table.iter().map(|(a, b)| (single_letters::as_written(&a.to_string()), b.latex())).collect();
         pairs.sort();
         pairs
     };

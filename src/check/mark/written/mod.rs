@@ -1,6 +1,7 @@
 //! The lines of a hand-in: the statements of its displays, the rows of its chains, and the equations in its text.
 
 pub(super) mod instants;
+pub(super) mod single_letters;
 
 use crate::latex::Macros;
 use crate::latex::foreign;
@@ -122,8 +123,8 @@ pub(super) fn written(notes: &Notes, macros: &Macros) -> Vec<Written> {
 
 /// Words for "if", in some languages.
 const IF: [&str; 24] = [
-    "if", "when", "whenever", "case", "wenn", "falls", "fall", "gdy", "jeśli", "jeżeli", "si", "cuando", "caso", "lorsque",
-    "quand", "cas", "se", "quando", "hvis", "om", "når", "als", "unless", "provided",
+    "if", "when", "whenever", "case", "wenn", "falls", "fall", "gdy", "jeśli", "jeżeli", "si", "cuando", "caso",
+    "lorsque", "quand", "cas", "se", "quando", "hvis", "om", "når", "als", "unless", "provided",
 ];
 
 /// The number of words before a formula among which "if" is sought.
