@@ -49,7 +49,7 @@ pub(super) fn edits(text: &str) -> Vec<(Span, String)> {
         );
         edits.extend(text.match_indices(function).filter_map(|(at, _)| divided(text, at + function.len())).flatten());
     }
-    edits.extend(slashes::products_in_exponents(text));
+    edits.extend(slashes::time_in_exponents(text));
     edits.extend(differentials::rates(text));
     edits.extend(thousands(text));
     edits.extend(sums(text));
