@@ -212,6 +212,11 @@ mod tests {
         assert_eq!(plain(r"C = 3 \cdot 10^{-6}\,\text{F}"), r"C = 3 \cdot 10^{-6}");
         assert_eq!(plain(r"v = 2~\text{km}/\text{s}"), r"v = 2 \cdot 10^{3}");
         assert_eq!(plain(r"\alpha = 60^\circ"), r"\alpha = \frac{60 \pi}{180}");
+        assert_eq!(plain(r"R = 2\,\text{k}\Omega, C = 3\,\text{mF}"), r"R = 2 \cdot 10^{3}, C = 3 \cdot 10^{-3}");
+        assert_eq!(
+            plain(r"C = 5\,\mathrm{\mu F}, R = 5\,\mathrm{M\Omega}"),
+            r"C = 5 \cdot 10^{-6}, R = 5 \cdot 10^{6}"
+        );
         // The twins: no unit, no number, a subscript.
         for text in [r"3\,\text{apples}", r"x = \text{m}", r"T_1 \mathrm{m}", r"3 m"] {
             assert_eq!(plain(text), text);

@@ -93,6 +93,19 @@ impl Judge<'_, '_> {
         why
     }
 
+    /// A reading in which t is the time that runs, also where it was taken for an instant.
+    pub(super) fn with_running_time(&self, reading: &Reading) -> Reading {
+        let symbols = &self.quiet.model.symbols;
+        let time =
+            symbols.iter().map(|(id, _)| id).find(|id| matches!(self.quiet.model.meaning(*id), Some(Meaning::Time)));
+        let mut reading = reading.clone();
+        let Some(time) = time else { return reading };
+        for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+            member.rename(&|id| if single_letters::is_instant(&symbols.entry(id).name) { time } else { id });
+        }
+        reading
+    }
+
     /// Why a link says nothing of what the problem determines.
     fn open_link(&self, pair: &[Expr]) -> Option<String> {
         let model = self.quiet.model;

@@ -16,7 +16,7 @@ use crate::check::verdict::finding::Finding;
 
 use super::carried::{Before, energies, origin};
 use super::given::{self, Implied};
-use super::judged::Judged;
+use super::judged::{self, Judged};
 use super::marked::{Line, Mark};
 use super::motion::{Along, Motion};
 use super::results;
@@ -32,11 +32,24 @@ mod instants;
 
 use another_meaning::{Break, free_of, vanishes, with_dots};
 
-/// Judges the lines of a hand-in; with `details`, with the slips in wrong lines.
+/// Judges the lines of a hand-in, with the slips in wrong lines.
 ///
 /// # Errors
 /// When the problem cannot be applied to the hand-in.
-pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<Judged> {
+pub(super) fn judge(run: &Run<'_>, world: &World<'_>) -> Result<Judged> {
+    let nothing = || Judged { lines: Vec::new(), found: Vec::new() };
+    Ok(judged(run, world, (true, None))?.unwrap_or_else(nothing))
+}
+
+/// Judges the lines of a hand-in by numbers alone; `None`, once its score cannot be more than `best`.
+///
+/// # Errors
+/// As [`judge`].
+pub(super) fn judge_quickly(run: &Run<'_>, world: &World<'_>, best: Option<i64>) -> Result<Option<Judged>> {
+    judged(run, world, (false, best))
+}
+
+fn judged(run: &Run<'_>, world: &World<'_>, (details, best): (bool, Option<i64>)) -> Result<Option<Judged>> {
     world.checked(run, |checker| {
         let first = world.first;
         let readings: Vec<Reading> = checker.readings.iter().cloned().map(with_dots).collect();
@@ -68,6 +81,10 @@ pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<J
         };
         for at in 0..world.written.len() {
             judge.line(at)?;
+            let left = world.written.len() - at - 1;
+            if best.is_some_and(|best| judged::at_most(&judge.lines, left, world.problem.wanted.len()) <= best) {
+                return Ok(None);
+            }
         }
         let (mut lines, premises) = (judge.lines, judge.premises);
         let mut corrected = vec![None; lines.len()];
@@ -82,7 +99,7 @@ pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<J
             }
         }
         let found = results::found(&quiet, world, &mut lines, (&premises, details.then_some(&corrected)))?;
-        Ok(Judged { lines, found })
+        Ok(Some(Judged { lines, found }))
     })
 }
 
@@ -301,7 +318,7 @@ impl Judge<'_, '_> {
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
             return Ok(());
         }
-        let in_general = self.world.problem.special.at_all_times(self.quiet, reading);
+        let in_general = self.world.problem.special.at_all_times(self.quiet, &self.with_running_time(reading));
         if self.is_up_to_initial_values(display, reading)
             || in_general.is_some_and(|reading| self.is_up_to_initial_values(display, &reading))
         {

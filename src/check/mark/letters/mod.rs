@@ -21,7 +21,7 @@ use crate::check::document::setup::{Run, define_macros};
 use crate::check::sample::context::Options;
 use crate::check::unaided::guess::names::{Usage, names_of};
 
-use crate::check::mark::judge::judge;
+use crate::check::mark::judge::{judge, judge_quickly};
 use crate::check::mark::judged::Judged;
 use crate::check::mark::marked::Mark;
 use crate::check::mark::names::{Letters, Names, Role, StandsFor};
@@ -54,9 +54,8 @@ pub(in crate::check::mark) fn best(
     let used = usages(notes, &lines, &macros);
     let known = &problem.names;
     let declared = declared(problem, &used);
-    let tried = |table: &Letters, run: &Run<'_>, details: bool| {
-        let world = World::new(run, problem, (notes, &lines, &instants), &with_primes(&used, known, table))?;
-        judge(run, &world, details)
+    let world = |table: &Letters, run: &Run<'_>| {
+        World::new(run, problem, (notes, &lines, &instants), &with_primes(&used, known, table))
     };
     let shown = |table: &Letters| {
         let mut pairs: Vec<(String, String)> =
@@ -68,21 +67,22 @@ pub(in crate::check::mark) fn best(
     let mut best = declared.clone();
     let ways = all_ways(problem, (&lines, &macros), &used, &declared);
     if !ways.is_empty() {
-        let own = tried(&declared, &quick, false)?;
-        let mut score = own.score();
-        let mut is_whole = is_whole(&own);
+        let own = judge_quickly(&quick, &world(&declared, &quick)?, None)?;
+        let mut score = own.as_ref().map_or(i64::MIN, Judged::score);
+        let mut is_whole = own.as_ref().is_some_and(is_whole);
         for way in ways {
             if is_whole {
                 break;
             }
-            let Ok(judged) = tried(&way, &quick, false) else { continue };
+            let judged = world(&way, &quick).and_then(|world| judge_quickly(&quick, &world, Some(score)));
+            let Ok(Some(judged)) = judged else { continue };
             if judged.score() > score {
                 is_whole = self::is_whole(&judged);
                 (score, best) = (judged.score(), way);
             }
         }
     }
-    Ok((tried(&best, run, true)?, shown(&with_primes(&used, known, &best))))
+    Ok((judge(run, &world(&best, run)?)?, shown(&with_primes(&used, known, &best))))
 }
 
 /// The letters, and the names with primes: rates of what varies, where the problem itself has no such names.
