@@ -159,6 +159,9 @@ fn an_energy_that_makes_the_lagrangian_false_is_wrong_and_the_lagrangian_carried
     assert_eq!(sign, ["given", "wrong", "carried"]);
     let function = marks("energy-function", HOOP, &lines("\\Omega^2\\cos^2\\theta", "-mgR\\cos\\theta", "+"));
     assert_eq!(function, ["wrong", "given", "carried"]);
+    // Where nothing says what they are, the sign is wrong all the same.
+    assert_eq!(marks("energy-sum", HOOP, "$$ L = T + U $$\n"), ["wrong"]);
+    assert_eq!(marks("energy-difference", HOOP, "$$ L = T - U $$\n"), ["given"]);
     // The twins: true energies, and a Lagrangian that is not their difference.
     assert_eq!(marks("energy-right", HOOP, &lines(true_one, "-mgR\\cos\\theta", "+")), ["given", "given", "right"]);
     assert_eq!(marks("energy-other", HOOP, &lines(true_one, "-mgR\\cos\\theta", "-")), ["given", "given", "wrong"]);

@@ -1,13 +1,17 @@
 //! Lines that fail only since a letter has another meaning in the problem, or none that decides: they are left open. What they
 //! say of other things is judged all the same.
 
+use crate::Result;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
 use crate::latex::Reading;
+use crate::notes::claims::Lost;
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
+use crate::check::mark::given::Implied;
 use crate::check::mark::motion::Motion;
-use crate::check::mark::status::Status;
+use crate::check::mark::slip;
+use crate::check::mark::status::{Status, composed};
 use crate::check::mark::written::single_letters;
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
@@ -60,6 +64,48 @@ impl Judge<'_, '_> {
     pub(super) fn is_own(&self, id: SymbolId) -> bool {
         let symbols = &self.quiet.model.symbols;
         self.world.declared.contains(&symbols.entry(id).name)
+    }
+
+    /// Whether a line says no more than what a quantity of the student's own is.
+    pub(super) fn gives(&self, display: usize, reading: &Reading, implied: &Implied) -> bool {
+        let is_short = reading.statements.iter().flatten().all(|statement| statement.members.len() == 2);
+        is_short || matches!(self.status(display, &implied.applied(reading.clone())).0, Status::Holds(_))
+    }
+
+    /// Whether a line that does not hold may be true, since it has quantities of the student's own of which no line says what
+    /// they are: then only a symbol in the place of
+    /// another one shows that it is false.
+    pub(super) fn leaves_open(&self, at: usize, reading: &Reading) -> Result<bool> {
+        let is_mistyped = |edit: &slip::Corrected| edit.slip.lost == Lost::Symbol;
+        let is_open = !self.unknown(reading).is_empty();
+        Ok(is_open && !slip::found(self.run, self.checker, self.world, at)?.0.as_ref().is_some_and(is_mistyped))
+    }
+
+    /// Whether the first member of a chain is not the last one, whatever stands between them.
+    pub(super) fn ends_are_false(&self, display: usize, reading: &Reading) -> bool {
+        let [Ok(statement)] = reading.statements.as_slice() else { return false };
+        if statement.members.len() < 3 {
+            return false;
+        }
+        let Some(ends) = composed(reading, reading) else { return false };
+        self.unknown(&ends).is_empty() && matches!(self.status(display, &ends).0, Status::False(_))
+    }
+
+    /// The quantities of the student's own in a line of which no line says what they are.
+    pub(super) fn unknown(&self, reading: &Reading) -> Vec<String> {
+        let model = self.quiet.model;
+        let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        let is_used = |id: SymbolId| members().any(|member| member.symbols().iter().any(|(used, _)| *used == id));
+        let own = self.world.declared.iter().filter_map(|name| Some((name, model.symbols.find(name)?.0)));
+        let free = own.filter(|(_, id)| {
+            matches!(model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Varying(_))) && is_used(*id)
+        });
+        free.map(|(name, _)| self.world.in_own_letters(&name.to_string())).collect()
+    }
+
+    /// Whether one likely edit makes a line true.
+    pub(super) fn is_slip(&self, at: usize) -> Result<bool> {
+        Ok(slip::found(self.run, self.checker, self.world, at)?.0.is_some())
     }
 
     /// Whether a statement is an equality between constants of the problem, as a special case is.

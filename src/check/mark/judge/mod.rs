@@ -2,14 +2,13 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Relation, Statement, SymbolId};
+use crate::formula::{Expr, Statement, SymbolId};
 use crate::latex::{Reading, names};
-use crate::notes::claims::{Claim, Lost, Spanned};
+use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::setup::Run;
-use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -20,7 +19,7 @@ use super::judged::{self, Judged};
 use super::marked::{Line, Mark};
 use super::motion::{Along, Motion};
 use super::results;
-use super::rounded::{self, Known};
+use super::rounded::Known;
 use super::slip;
 use super::special::{self, AT_SPEED};
 use super::status::{Status, approximate, composed, stated, status};
@@ -28,6 +27,7 @@ use super::world::World;
 
 mod another_meaning;
 mod cases;
+mod digits;
 mod instants;
 
 use another_meaning::{Break, free_of, vanishes, with_dots};
@@ -262,6 +262,11 @@ impl Judge<'_, '_> {
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
             return Ok(());
         }
+        if energies::is_sum_of_energies(self.quiet, reading) {
+            line.mark = Mark::Wrong;
+            line.because = "the Lagrangian is the difference of the energies".to_owned();
+            return Ok(());
+        }
         if let Some(implied) = Implied::by(self.quiet, (&self.world.declared, &self.open), reading)
             && self.gives(display, reading, &implied)
             && (self.names_the_last(display, reading, &implied) || !(self.details && self.is_slip(at)?))
@@ -388,48 +393,6 @@ impl Judge<'_, '_> {
         Ok(())
     }
 
-    /// Whether a line says no more than what a quantity of the student's own is.
-    fn gives(&self, display: usize, reading: &Reading, implied: &Implied) -> bool {
-        let is_short = reading.statements.iter().flatten().all(|statement| statement.members.len() == 2);
-        is_short || matches!(self.status(display, &implied.applied(reading.clone())).0, Status::Holds(_))
-    }
-
-    /// Whether a line that does not hold may be true, since it has quantities of the student's own of which no line says what
-    /// they are: then only a symbol in the place of
-    /// another one shows that it is false.
-    fn leaves_open(&self, at: usize, reading: &Reading) -> Result<bool> {
-        let is_mistyped = |edit: &slip::Corrected| edit.slip.lost == Lost::Symbol;
-        let is_open = !self.unknown(reading).is_empty();
-        Ok(is_open && !slip::found(self.run, self.checker, self.world, at)?.0.as_ref().is_some_and(is_mistyped))
-    }
-
-    /// Whether the first member of a chain is not the last one, whatever stands between them.
-    fn ends_are_false(&self, display: usize, reading: &Reading) -> bool {
-        let [Ok(statement)] = reading.statements.as_slice() else { return false };
-        if statement.members.len() < 3 {
-            return false;
-        }
-        let Some(ends) = composed(reading, reading) else { return false };
-        self.unknown(&ends).is_empty() && matches!(self.status(display, &ends).0, Status::False(_))
-    }
-
-    /// The quantities of the student's own in a line of which no line says what they are.
-    fn unknown(&self, reading: &Reading) -> Vec<String> {
-        let model = self.quiet.model;
-        let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
-        let is_used = |id: SymbolId| members().any(|member| member.symbols().iter().any(|(used, _)| *used == id));
-        let own = self.world.declared.iter().filter_map(|name| Some((name, model.symbols.find(name)?.0)));
-        let free = own.filter(|(_, id)| {
-            matches!(model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Varying(_))) && is_used(*id)
-        });
-        free.map(|(name, _)| self.world.in_own_letters(&name.to_string())).collect()
-    }
-
-    /// Whether one likely edit makes a line true.
-    fn is_slip(&self, at: usize) -> Result<bool> {
-        Ok(slip::found(self.run, self.checker, self.world, at)?.0.is_some())
-    }
-
     /// What a reading is in the problem, by itself, along its motion, under the hypotheses of its equations, or under
     /// conditions that were stated; and what it needs.
     fn status(&self, display: usize, reading: &Reading) -> (Status, String) {
@@ -493,44 +456,6 @@ impl Judge<'_, '_> {
 
     fn along(&self, checker: &Checker<'_>, display: usize, reading: &Reading, claim: &Claim) -> Along {
         self.motion.along((checker, self.world), (display, reading), (claim, !self.details))
-    }
-
-    /// Whether a reading with ≈ is right to the printed digits, and its equalities hold, alone or under the conditions.
-    fn is_near(&self, display: usize, reading: &Reading) -> bool {
-        let text = &self.quiet.notes.equations[display].text;
-        let spanned = |(text, _): &(String, String)| Spanned::new(text.clone(), Span::default());
-        let under = Claim { assume: self.conditions.iter().map(spanned).collect(), ..Claim::default() };
-        let sets: Vec<_> = [&Claim::default(), &under].into_iter().map(|claim| self.quiet.hypotheses(claim)).collect();
-        // Under conditions a number is rounded, though = stands before it.
-        let is_approximate = |relation: Relation, pair: &[Expr]| {
-            let is_number = !self.conditions.is_empty() && pair[1].symbols().is_empty();
-            relation == Relation::Approximately || relation == Relation::Equal && is_number
-        };
-        let mut any = false;
-        let all = reading.statements.iter().all(|statement| {
-            let Ok(statement) = statement else { return false };
-            statement.members.windows(2).zip(&statement.relations).all(|(pair, relation)| {
-                if is_approximate(relation.0, pair) {
-                    any = true;
-                    let Some(text) = text.get(pair[1].span.range()) else { return false };
-                    return sets.iter().flatten().any(|set| rounded::agrees(self.quiet, text, pair, set) == Some(true));
-                }
-                let alone = Statement { members: pair.to_vec(), relations: vec![*relation], ..statement.clone() };
-                let alone = Reading { statements: vec![Ok(alone)], introduced: Vec::new() };
-                matches!(self.status(display, &alone).0, Status::Holds(_))
-            })
-        });
-        any && all
-    }
-
-    /// Whether a reading is right to the printed digits, with the numbers that the student gave to the quantities.
-    fn is_rounded(&self, display: usize, reading: &Reading) -> bool {
-        let mut known = self.known.clone();
-        for at in 0..self.world.problem.notes.equations.len() {
-            known.add(&self.quiet.readings[at], false);
-        }
-        let text = &self.quiet.notes.equations[display].text;
-        known.fits(self.quiet, text, reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
     }
 }
 
