@@ -151,6 +151,6 @@ fn e_is_a_charge_where_no_power_of_it_stands() {
         "$$ F = q E \\tag{1} $$\n\n$$ W = q E d \\tag{2} $$\n",
         r#"{ "notes": "p.md", "constants": { "q, E, d": "> 0" }, "rubric": { "results": { "1": 1, "2": 1 } } }"#,
     );
-    assert_eq!(marks("charge", problem, "$$ F = e E $$\n\n$$ W = e E d $$\n"), ["given", "right"]);
-    assert_eq!(marks("charge-wrong", problem, "$$ F = e E $$\n\n$$ W = 2 e E d $$\n"), ["given", "wrong"]);
+    assert_eq!(marks("charge", problem, "$$ F = e E $$\n\n$$ W = e E d $$\n"), ["right", "right"]);
+    assert_eq!(marks("charge-wrong", problem, "$$ F = e E $$\n\n$$ W = 2 e E d $$\n"), ["right", "wrong"]);
 }

@@ -16,6 +16,7 @@ use crate::check::document::names::shown;
 use crate::check::kinds::printed_solution::{Solution, constants_of_integration};
 use crate::check::kinds::solution_of_laws;
 use crate::check::model::Model;
+use crate::check::model::claim::Link;
 use crate::check::model::meaning::{Meaning, Variable};
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
@@ -80,6 +81,11 @@ impl Motion {
     /// Whether the model solution prints the motion of a coordinate.
     pub fn prints(&self, coordinate: SymbolId) -> bool {
         self.solution(coordinate).is_some()
+    }
+
+    /// Whether a link holds along the motion.
+    pub fn has(&self, checker: &Checker<'_>, link: &Link) -> bool {
+        !self.solutions.is_empty() && super::carried::numbers::holds(checker, &self.model, link, &[]) == Some(true)
     }
 
     /// The model solution for a coordinate.

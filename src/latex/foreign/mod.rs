@@ -15,7 +15,9 @@ use slashes::divided;
 use units::{degrees, numbers, units};
 
 /// The functions as other languages write them.
-const FUNCTIONS: [(&str, &str); 14] = [
+const FUNCTIONS: [(&str, &str); 16] = [
+    ("\\text{sen}", "\\sin"),
+    ("\\text{sin}", "\\sin"),
     ("\\operatorname{sen}", "\\sin"),
     ("\\operatorname{sin}", "\\sin"),
     ("\\operatorname{cos}", "\\cos"),

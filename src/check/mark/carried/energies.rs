@@ -103,7 +103,8 @@ pub(in crate::check::mark) fn is_sum_of_energies(checker: &Checker<'_>, reading:
     let unknown = |term: &Term, letters: &[&str], others: &[&str]| {
         term.sign == Sign::Plus
             && term.expr.as_plain_symbol().is_some_and(|id| {
-                !matches!(checker.model.meaning(id), Some(Meaning::Defined(_) | Meaning::System(_)))
+                let is_said = matches!(checker.model.meaning(id), Some(Meaning::Defined(_) | Meaning::System(_)));
+                (!is_said || reading.introduced.iter().any(|new| new.symbol == id))
                     && is_energy(&checker.model.symbols.entry(id).name, letters, others)
             })
     };

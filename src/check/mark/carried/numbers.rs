@@ -172,9 +172,31 @@ pub(in crate::check::mark) fn follows(
         }
     }
     sets.extend(others.iter().map(|one| premises(&mut wrong.iter().chain(one))));
+    // Which rate a quantity of the problem is, a hand-in need not say: I = \dot Q.
+    let rates = rates_by_name(checker, before, &names);
+    if !rates.is_empty() {
+        sets.push(premises(&mut wrong.iter().chain(&rates)));
+    }
     let beside = derived.iter().flat_map(|derived| others.iter().map(move |other| (derived, other)));
     sets.extend(beside.map(|(derived, other)| premises(&mut derived.iter().chain(other))));
     !names.is_empty() && sets.iter().any(|set| holds_all(&open, set) || holds_all(&positive, set))
+}
+
+/// The quantities among `names` that are rates of a coordinate along the motion of the problem, as links.
+fn rates_by_name(checker: &Checker<'_>, before: &Before<'_>, names: &[SymbolId]) -> Vec<Link> {
+    let moves =
+        |id: &SymbolId| matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
+    let moving: Vec<SymbolId> = checker.model.symbols.iter().map(|(id, _)| id).filter(moves).collect();
+    let pairs = names.iter().flat_map(|name| moving.iter().map(move |of| (*name, *of)));
+    let symbol = |id, dots| Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, Span::default());
+    let links = pairs.filter_map(|(name, of)| {
+        let rate = symbol(of, 1);
+        [rate.clone(), rate.negated()].into_iter().find_map(|rate| {
+            let link = checker.link(&symbol(name, 0), Relation::Equal, &rate).ok()?;
+            before.motion.has(checker, &link).then_some(link)
+        })
+    });
+    links.collect()
 }
 
 /// Whether an equation of motion holds where a line says what a coordinate is at all times: `Q = C U_0` in

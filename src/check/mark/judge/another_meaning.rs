@@ -131,8 +131,7 @@ impl Judge<'_, '_> {
                 }
                 let alone = Statement { members: pair.to_vec(), relations: vec![*relation], ..statement.clone() };
                 if let Status::False(_) = self.status(display, &alone_of(alone.clone())).0 {
-                    let Some(found) = self.holds_somewhere(display, alone) else { return None };
-                    why = Some(found);
+                    why = Some(self.holds_somewhere(display, alone)?);
                 }
             }
         }

@@ -179,6 +179,12 @@ impl Judge<'_, '_> {
         if matches!(status, Status::Open(..) | Status::False(_)) && self.is_near(display, &reading) {
             (status, under) = (Status::Holds(Verdict::Verified), "right to the printed digits".to_owned());
         }
+        if energies::is_sum_of_energies(self.quiet, &reading) {
+            (line.mark, line.verdict) = (Mark::Wrong, Some(Verdict::Refuted));
+            line.because = "the Lagrangian is the difference of the energies".to_owned();
+            self.push(line);
+            return Ok(());
+        }
         match status {
             Status::Holds(verdict) => {
                 self.known.add(&reading, false);
@@ -260,11 +266,6 @@ impl Judge<'_, '_> {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = "a value at an instant, which the problem leaves open".to_owned();
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
-            return Ok(());
-        }
-        if energies::is_sum_of_energies(self.quiet, reading) {
-            line.mark = Mark::Wrong;
-            line.because = "the Lagrangian is the difference of the energies".to_owned();
             return Ok(());
         }
         if let Some(implied) = Implied::by(self.quiet, (&self.world.declared, &self.open), reading)
