@@ -70,7 +70,7 @@ pub fn renamed_with(text: &str, macros: &Macros, table: &HashMap<Name, Name>, ot
         if span.start < from {
             continue;
         }
-        renamed.push(&text[from..span.start], Span::new(from, span.start));
+        renamed.push_apart(&text[from..span.start], Span::new(from, span.start));
         let next = text[span.end..].chars().next();
         let is_command = replacement.starts_with('\\') && replacement.ends_with(|c: char| c.is_ascii_alphabetic());
         let space = if is_command && next.is_some_and(|c| c.is_ascii_alphabetic()) { " " } else { "" };
@@ -81,11 +81,24 @@ pub fn renamed_with(text: &str, macros: &Macros, table: &HashMap<Name, Name>, ot
         renamed.push(&replacement, span);
         from = span.end;
     }
-    renamed.push(&text[from..], Span::new(from, text.len()));
+    renamed.push_apart(&text[from..], Span::new(from, text.len()));
     renamed
 }
 
 impl Renamed {
+    /// Adds a piece of the original, apart from a command that stands before it now: `\omega_0t` with ω for ω_0.
+    fn push_apart(&mut self, text: &str, from: Span) {
+        let is_letter = text.starts_with(|c: char| c.is_ascii_alphabetic());
+        if is_letter
+            && from.start > 0
+            && ends_with_command(&self.text)
+            && self.text.ends_with(|c: char| c.is_ascii_alphabetic())
+        {
+            self.push(" ", Span::new(from.start, from.start));
+        }
+        self.push(text, from);
+    }
+
     fn push(&mut self, text: &str, from: Span) {
         if !text.is_empty() {
             self.places.push((self.text.len(), from));

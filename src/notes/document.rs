@@ -32,6 +32,9 @@ pub struct Notes {
     markers: Vec<Span>,
     /// Files that the document names and that are not there.
     pub absent: Vec<Error>,
+    /// The place of the first display that another author added. All before it are read first, so that no added display
+    /// defines a name that is theirs.
+    pub added_from: Option<usize>,
 }
 
 impl Notes {
@@ -102,6 +105,7 @@ impl Notes {
             inline: scan.inline,
             markers: scan.markers,
             absent: Vec::new(),
+            added_from: None,
         })
     }
 

@@ -61,7 +61,7 @@ fn a_line_may_speak_of_the_instant_at_which_a_speed_is_reached() {
 fn a_way_and_a_speed_may_be_functions_of_the_time_from_rest() {
     let of = |name: &str, lines: &str| marks(name, DISC, lines);
     let lines = "$$ y = \\frac13 gt^2 $$\n\n$$ h = \\frac13 gt^2 $$\n\n$$ \\dot y = \\frac23 gt $$\n";
-    assert_eq!(of("from-rest", lines), ["right", "given", "right"]);
+    assert_eq!(of("from-rest", lines), ["right", "right", "right"]);
     // The twins: other accelerations.
     let lines = "$$ y = \\frac23 gt^2 $$\n\n$$ h = \\frac23 gt^2 $$\n\n$$ \\dot y = \\frac13 gt $$\n";
     let wrong = of("from-rest-wrong", lines);
@@ -159,6 +159,9 @@ fn an_energy_that_makes_the_lagrangian_false_is_wrong_and_the_lagrangian_carried
     assert_eq!(sign, ["given", "wrong", "carried"]);
     let function = marks("energy-function", HOOP, &lines("\\Omega^2\\cos^2\\theta", "-mgR\\cos\\theta", "+"));
     assert_eq!(function, ["wrong", "given", "carried"]);
+    // Where nothing says what they are, the sign is wrong all the same.
+    assert_eq!(marks("energy-sum", HOOP, "$$ L = T + U $$\n"), ["wrong"]);
+    assert_eq!(marks("energy-difference", HOOP, "$$ L = T - U $$\n"), ["given"]);
     // The twins: true energies, and a Lagrangian that is not their difference.
     assert_eq!(marks("energy-right", HOOP, &lines(true_one, "-mgR\\cos\\theta", "+")), ["given", "given", "right"]);
     assert_eq!(marks("energy-other", HOOP, &lines(true_one, "-mgR\\cos\\theta", "-")), ["given", "given", "wrong"]);

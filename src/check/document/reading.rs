@@ -71,6 +71,9 @@ pub(crate) fn read_all(
         while progress {
             progress = false;
             for at in 0..readings.len() {
+                if progress && notes.added_from == Some(at) {
+                    break;
+                }
                 if readings[at].is_none() {
                     readings[at] = pending.read(&texts[at], assigned[at], model);
                     if readings[at].is_some() {

@@ -40,14 +40,19 @@ fn sets(checker: &Checker<'_>, name: &Expr, value: &Expr, (wanted, is_said): (&[
         Some(Meaning::Coordinate(_) | Meaning::Varying(_)) => *dots <= 1,
         Some(Meaning::Constant(_) | Meaning::Time) => *dots == 0,
         // A quantity that varies may have a value at an instant, as the velocity at the top.
-        Some(Meaning::Defined(_) | Meaning::System(_)) => value.symbols().is_empty() && varies(checker, name),
+        // The text may give any quantity a number.
+        Some(Meaning::Defined(_) | Meaning::System(_)) => {
+            value.symbols().is_empty() && (varies(checker, name) || is_said && !value.is_null())
+        }
         _ => false,
     };
+    // The time may be said to be an instant of the problem: "if t = t_h".
     // The text may put a coordinate where the problem has a name for the place: "in the middle, x = x_0".
-    let moves = matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
+    let moves =
+        matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_) | Meaning::Time));
     let is_place = |symbol: SymbolId| {
-        let name = Expr::new(Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, Span::default());
-        is_said && moves && *dots == 0 && value.as_plain_symbol() == Some(symbol) && !varies(checker, &name)
+        let is_fixed = matches!(checker.model.meaning(symbol), Some(Meaning::Constant(_) | Meaning::Defined(_)));
+        is_said && moves && *dots == 0 && value.as_plain_symbol() == Some(symbol) && is_fixed
     };
     let is_constant = |(symbol, dots): &(SymbolId, u8)| {
         let is_constant = matches!(checker.model.meaning(*symbol), Some(Meaning::Constant(_)));
@@ -57,6 +62,22 @@ fn sets(checker: &Checker<'_>, name: &Expr, value: &Expr, (wanted, is_said): (&[
     let is_wanted = |id: &SymbolId| wanted.contains(id);
     let is_open = !is_wanted(id) && !symbols.iter().any(|(id, _)| is_wanted(id) && !is_place(*id));
     is_free && is_open && symbols.len() <= 1 && symbols.iter().all(is_constant)
+}
+
+/// Whether a statement says that one constant of the problem is another one, as `m_1 = m_2` does. `is_own` tells the names
+/// that only the hand-in has.
+pub(super) fn compares_constants(
+    checker: &Checker<'_>,
+    statement: &Statement,
+    is_own: impl Fn(SymbolId) -> bool,
+) -> bool {
+    let is_constant = |member: &Expr| {
+        let name = member.as_plain_symbol();
+        name.is_some_and(|id| matches!(checker.model.meaning(id), Some(Meaning::Constant(_))) && !is_own(id))
+    };
+    statement.members.len() == 2
+        && statement.members.iter().all(is_constant)
+        && statement.relations.iter().all(|(relation, _)| is_equality(*relation))
 }
 
 /// Each equality of a line, and the reading that says that what it is off by stays constant, where an initial value may
@@ -100,10 +121,10 @@ fn about_motion(checker: &Checker<'_>, formula: &Expr) -> Option<u8> {
     let mut moving: Vec<SymbolId> = Vec::new();
     let is_known = formula.symbols().into_iter().all(|(id, dots)| match checker.model.meaning(id) {
         Some(Meaning::Coordinate(_) | Meaning::Varying(_)) => {
-            place |= dots == 0 || formula_has_undotted(formula, id);
-            velocity |= dots == 1;
+            place |= has_rate(formula, id, 0);
+            velocity |= has_rate(formula, id, 1);
             moving.push(id);
-            dots <= 1
+            dots <= 1 || timed && dots == 2
         }
         Some(Meaning::Constant(_)) => dots == 0,
         Some(Meaning::Time) => dots == 0,
@@ -132,9 +153,10 @@ fn is_time(checker: &Checker<'_>, id: SymbolId) -> bool {
     matches!(checker.model.meaning(id), Some(Meaning::Time))
 }
 
-fn formula_has_undotted(formula: &Expr, id: SymbolId) -> bool {
+fn has_rate(formula: &Expr, id: SymbolId, order: u8) -> bool {
     let mut found = false;
-    formula.walk(&mut |expr| found |= matches!(&expr.node, Node::Symbol { id: other, dots: 0, .. } if *other == id));
+    let is_it = |node: &Node| matches!(node, Node::Symbol { id: other, dots, .. } if *other == id && *dots == order);
+    formula.walk(&mut |expr| found |= is_it(&expr.node));
     found
 }
 
@@ -142,7 +164,7 @@ fn formula_has_undotted(formula: &Expr, id: SymbolId) -> bool {
 const DEEPEST: usize = 8;
 
 /// A formula in which the student's own names are replaced by what they stand for.
-fn expanded(checker: &Checker<'_>, before: usize, mut formula: Expr) -> Expr {
+pub(super) fn expanded(checker: &Checker<'_>, before: usize, mut formula: Expr) -> Expr {
     let of_problem = |id: SymbolId| {
         checker.readings[..before].iter().flat_map(|reading| &reading.introduced).any(|new| new.symbol == id)
     };
@@ -188,12 +210,15 @@ pub(super) struct Implied {
 }
 
 impl Implied {
-    /// What a reading says of a quantity among `own`: names that only the hand-in has.
-    pub fn by(checker: &Checker<'_>, own: &[Name], reading: &Reading) -> Option<Implied> {
+    /// What a reading says of a quantity among `own`, the names that only the hand-in has, or among those of the problem that
+    /// are left `open` there.
+    pub fn by(checker: &Checker<'_>, (own, open): (&[Name], &[SymbolId]), reading: &Reading) -> Option<Implied> {
         let [Ok(statement)] = reading.statements.as_slice() else { return None };
-        let own: Vec<SymbolId> = own.iter().filter_map(|name| Some(checker.model.symbols.find(name)?.0)).collect();
+        let own = own.iter().filter_map(|name| Some(checker.model.symbols.find(name)?.0));
+        let own: Vec<SymbolId> = own.chain(open.iter().copied()).collect();
         let is_free = |id: SymbolId| {
-            own.contains(&id) && matches!(checker.model.meaning(id), Some(Meaning::Constant(_) | Meaning::Varying(_)))
+            let is_number = matches!(checker.model.meaning(id), Some(Meaning::Constant(_) | Meaning::Varying(_)));
+            own.contains(&id) && is_number || open.contains(&id)
         };
         let links = statement.members.windows(2).zip(&statement.relations);
         links.filter(|(_, (relation, _))| is_equality(*relation)).find_map(|(pair, _)| {

@@ -22,24 +22,44 @@ pub(super) struct Judged {
 }
 
 impl Judged {
-    /// How well the hand-in fits the problem: what holds and is reached, less what is false or cannot be read. After the first
-    /// false line a false line may be carried on, and says little; so does a true one, which may follow from it.
+    /// How well the hand-in fits the problem: what holds and is reached, less what is false or cannot be read.
     pub fn score(&self) -> i64 {
-        let mut is_after = false;
-        let mut sum = 0;
-        for line in &self.lines {
-            sum += match line.mark {
-                Mark::Right if is_after => 2,
-                Mark::Right => 4,
-                Mark::Carried => 2,
-                Mark::Wrong if is_after => -1,
-                Mark::Wrong => -4,
-                Mark::Unread | Mark::Open => -2,
-                Mark::Given => 0,
-            };
-            is_after |= line.mark == Mark::Wrong;
-        }
         let reached = self.found.iter().flatten().filter(|found| found.is_right).count();
-        sum + 8 * i64::try_from(reached).unwrap_or(0)
+        worth(&self.lines).0 + RESULT * count(reached)
     }
+}
+
+/// What a right line and a result that is reached add to the score; after a false line a right one adds less.
+const RIGHT: i64 = 4;
+const RIGHT_AFTER: i64 = 2;
+const RESULT: i64 = 8;
+
+/// The most that the score of a hand-in can become, of which these lines are judged and others are left, with so many results.
+pub(super) fn at_most(lines: &[Line], left: usize, results: usize) -> i64 {
+    let (sum, is_after) = worth(lines);
+    sum + count(left) * if is_after { RIGHT_AFTER } else { RIGHT } + RESULT * count(results)
+}
+
+/// What lines add to the score, and whether one is false. After the first false line a false line may be carried on, and says
+/// little; so does a true one, which may follow from it.
+fn worth(lines: &[Line]) -> (i64, bool) {
+    let mut is_after = false;
+    let mut sum = 0;
+    for line in lines {
+        sum += match line.mark {
+            Mark::Right if is_after => RIGHT_AFTER,
+            Mark::Right => RIGHT,
+            Mark::Carried => 2,
+            Mark::Wrong if is_after => -1,
+            Mark::Wrong => -4,
+            Mark::Unread | Mark::Open => -2,
+            Mark::Given => 0,
+        };
+        is_after |= line.mark == Mark::Wrong;
+    }
+    (sum, is_after)
+}
+
+fn count(number: usize) -> i64 {
+    i64::try_from(number).unwrap_or(i64::MAX / 100)
 }

@@ -16,6 +16,7 @@ use crate::check::document::names::shown;
 use crate::check::kinds::printed_solution::{Solution, constants_of_integration};
 use crate::check::kinds::solution_of_laws;
 use crate::check::model::Model;
+use crate::check::model::claim::Link;
 use crate::check::model::meaning::{Meaning, Variable};
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
@@ -75,6 +76,16 @@ impl Motion {
     pub fn is_printed_in(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> bool {
         let mut found = reading.statements.iter().flatten().filter_map(|statement| printed(checker, statement));
         found.any(|own| self.solution(own.coordinate).is_some() && self.leaves_nothing_open(world, &own.formula))
+    }
+
+    /// Whether the model solution prints the motion of a coordinate.
+    pub fn prints(&self, coordinate: SymbolId) -> bool {
+        self.solution(coordinate).is_some()
+    }
+
+    /// Whether a link holds along the motion.
+    pub fn has(&self, checker: &Checker<'_>, link: &Link) -> bool {
+        !self.solutions.is_empty() && super::carried::numbers::holds(checker, &self.model, link, &[]) == Some(true)
     }
 
     /// The model solution for a coordinate.
@@ -165,9 +176,39 @@ impl Motion {
         let is_fixed = |(id, dots): &(SymbolId, u8)| {
             let name = Expr::new(Node::Symbol { id: *id, indices: Vec::new(), dots: 0 }, formula.span);
             *dots == 0
+                && !checker.model.is_defined_by_itself(*id)
                 && (*id == time || !checker.model.depends_on(&name, &moving) && checker.model.meaning(*id).is_some())
         };
         formula.symbols().iter().all(is_fixed).then(|| at(&formula, time, &when))
+    }
+
+    /// What a line says of coordinates and velocities at the start, where the motion is known.
+    pub fn at_start(&self, checker: &Checker<'_>, reading: &Reading) -> Option<Reading> {
+        let is_time = |id: &SymbolId| matches!(checker.model.meaning(*id), Some(Meaning::Time));
+        let time = checker.model.symbols.iter().map(|(id, _)| id).find(is_time)?;
+        let mut start = reading.clone();
+        let mut is_any = false;
+        for member in start.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+            let moving = self.solutions.iter().map(|known| known.coordinate);
+            for id in moving.filter(|id| member.symbols().iter().any(|(found, _)| found == id)).collect::<Vec<_>>() {
+                for (_, order) in member.symbols().into_iter().filter(|(found, _)| *found == id) {
+                    for dots in 0..=order {
+                        let name = Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, member.span);
+                        let mut value = self.inserted(checker, name);
+                        differentiated(checker, &mut value, time)?;
+                        let value = at(&value, time, &Expr::integer(0, member.span));
+                        is_any = true;
+                        member.substitute(&|node| match node {
+                            Node::Symbol { id: found, dots: rate, .. } if *found == id && *rate == dots => {
+                                Some(value.clone())
+                            }
+                            _ => None,
+                        });
+                    }
+                }
+            }
+        }
+        is_any.then_some(start)
     }
 
     /// The time and the coordinates.

@@ -16,6 +16,8 @@ pub(super) struct Names {
     pub symbols: Symbols,
     /// Its numbers, with what a name of a hand-in may stand for, and whether it is an angle.
     pub names: Vec<(Name, Role, bool)>,
+    /// Those of them that do not change with time.
+    pub fixed: Vec<Name>,
 }
 
 /// A name of the problem, or its rate, for which a name of a hand-in stands.
@@ -68,7 +70,27 @@ impl Names {
             };
             names.push((entry.name.clone(), role, entry.angle));
         }
-        Names { symbols: model.symbols.clone(), names }
+        let moving: Vec<_> = model.symbols.iter().map(|(id, _)| id).collect();
+        let moving: Vec<_> = moving
+            .into_iter()
+            .filter(|id| {
+                let meaning = model.meaning(*id);
+                matches!(
+                    meaning,
+                    Some(Meaning::Coordinate(_) | Meaning::Varying(_) | Meaning::Time | Meaning::System(_))
+                )
+            })
+            .collect();
+        let is_fixed = |name: &Name| {
+            let Some((id, _)) = model.symbols.find(name) else { return false };
+            !moving.contains(&id)
+                && match model.meaning(id) {
+                    Some(Meaning::Defined(formula)) => !model.depends_on(formula, &moving),
+                    _ => true,
+                }
+        };
+        let fixed = names.iter().map(|(name, ..)| name).filter(|name| is_fixed(name)).cloned().collect();
+        Names { symbols: model.symbols.clone(), names, fixed }
     }
 
     /// The names that are written for others, with the momenta of renamed coordinates.

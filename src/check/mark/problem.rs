@@ -1,8 +1,9 @@
 //! The problem: the claims and the notes of the teacher, prepared once for all hand-ins.
 
 use crate::code::Code;
+use crate::latex::names;
 use crate::notes::address::{self, Address, Point, Target};
-use crate::notes::claims::{Claim, Claims, Rubric, Share, Spanned};
+use crate::notes::claims::{Claim, Claims, Role, Rubric, Share, Spanned};
 use crate::notes::{Display, Notes, Numbered};
 use crate::source::Span;
 use crate::{Error, Result};
@@ -70,7 +71,13 @@ impl Problem {
         let notes = &numbered(notes);
         let mut claims = by_number(claims, notes)?;
         (claims.sentences, claims.steps) = (Vec::new(), Vec::new());
-        let (verdicts, open) = verdicts(run, &claims, notes)?;
+        let (mut verdicts, mut open) = self::verdicts(run, &claims, notes)?;
+        if let Some(with) = with_accelerations(&claims, notes)
+            && let Ok((new, still)) = self::verdicts(run, &with, notes)
+            && verdicts.iter().zip(&new).all(|(old, new)| new == old || new.holds())
+        {
+            (claims, verdicts, open) = (with, new, still);
+        }
         let is_named = !wanted.is_empty();
         if wanted.is_empty() {
             wanted = unnamed(notes, &verdicts);
@@ -201,6 +208,37 @@ fn verdicts(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<(Vec<Verdic
         (!is_untested(finding.code)).then(|| finding.message.clone())
     };
     Ok((notes.equations.iter().map(of).collect(), notes.equations.iter().map(open).collect()))
+}
+
+/// The claims with the accelerations that have a name in the text, `$a = \ddot x$`, as laws, where nothing else there says
+/// how the coordinates move.
+fn with_accelerations(claims: &Claims, notes: &Notes) -> Option<Claims> {
+    let moves = |role: Role| matches!(role, Role::Coordinate | Role::VariesWithTime);
+    let moving = claims.declarations.iter().filter(|declared| moves(declared.role));
+    let rates: Vec<(&Spanned<String>, String)> = moving
+        .map(|declared| &declared.name)
+        .flat_map(|name| {
+            let name_only = name.value.as_str();
+            ["\\ddot{#}", "\\ddot #"].map(|rate| (name, rate.replace('#', name_only)))
+        })
+        .collect();
+    if claims.system.is_some() || !claims.laws.is_empty() || !claims.means.is_empty() {
+        return None;
+    }
+    let squeezed = |text: &str| text.split_whitespace().collect::<String>();
+    let named = notes.inline.iter().find_map(|span| {
+        let text = notes.source.text.get(span.range())?.trim_matches('$');
+        let (first, second) = text.split_once('=')?;
+        let is_rate =
+            |text: &str| rates.iter().find(|(_, rate)| squeezed(rate) == squeezed(text)).map(|(name, _)| *name);
+        let (of, other) = is_rate(first).map(|of| (of, second)).or_else(|| Some((is_rate(second)?, first)))?;
+        names::parse(other.trim())?;
+        Some((of, format!("\\ddot{{{}}} = {}", of.value, other.trim())))
+    });
+    let (of, law) = named?;
+    let mut claims = claims.clone();
+    claims.laws.push((Spanned::new("the acceleration".to_owned(), of.span), Spanned::new(law, of.span)));
+    Some(claims)
 }
 
 /// The wanted results of a problem without a list of them: what follows, and the last display.

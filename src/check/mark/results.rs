@@ -55,11 +55,12 @@ pub(super) fn found(
         let readings = |at: usize| {
             let display = world.first + at;
             let own = &checker.readings[display];
-            let mut both = vec![own];
+            let mut both = vec![own.clone()];
             let is_at_speed = is_at_speed[at];
             if world.written[at].continues.is_some() || is_at_speed {
-                both.push(&premises[display]);
+                both.push(premises[display].clone());
             }
+            both.extend(with_named_rates(checker, own));
             both
         };
         let is_true = |line: &Line| matches!(line.mark, Mark::Right | Mark::Given);
@@ -68,7 +69,7 @@ pub(super) fn found(
             lines[at].mark == Mark::Right && own.iter().any(|link| goal.is_computed(checker, link))
         };
         let reached = |at: usize| {
-            let more = readings(at).into_iter().filter_map(|reading| goal.reached(checker, world, reading));
+            let more = readings(at).into_iter().filter_map(|reading| goal.reached(checker, world, &reading));
             Some((more.min().filter(|_| is_true(&lines[at]))?, at))
         };
         // A line without names of the student's own says it best.
@@ -77,7 +78,7 @@ pub(super) fn found(
         let right = right.or_else(|| {
             let says = |part: usize, at: &usize| {
                 let mut own = readings(*at).into_iter();
-                is_true(&lines[*at]) && own.any(|reading| goal.part(checker, world, reading, part).is_some())
+                is_true(&lines[*at]) && own.any(|reading| goal.part(checker, world, &reading, part).is_some())
             };
             let parts = (0..goal.links.len()).map(|part| (0..lines.len()).find(|at| says(part, at)));
             parts.collect::<Option<Vec<usize>>>()?.into_iter().max().filter(|_| goal.links.len() > 1)
@@ -121,6 +122,30 @@ pub(super) fn found(
         all.push(found);
     }
     Ok(all)
+}
+
+/// A reading with the name that a law gives to a rate in the place of the rate: `a` for `\ddot x`.
+fn with_named_rates(checker: &Checker<'_>, reading: &Reading) -> Option<Reading> {
+    let laws = checker.model.laws.iter().flat_map(|law| &law.hypotheses);
+    let named = laws.filter_map(|law| match (&law.lhs.node, law.rhs.as_plain_symbol()) {
+        (Node::Symbol { id, dots, .. }, Some(name)) if *dots > 0 && law.relation == Relation::Equal => {
+            Some(((*id, *dots), name))
+        }
+        _ => None,
+    });
+    let named: Vec<((SymbolId, u8), SymbolId)> = named.collect();
+    let mut new = reading.clone();
+    for member in new.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+        let span = member.span;
+        member.substitute(&|node| match node {
+            Node::Symbol { id, dots, .. } => {
+                let (_, name) = named.iter().find(|(rate, _)| rate == &(*id, *dots))?;
+                Some(Expr::new(Node::Symbol { id: *name, indices: Vec::new(), dots: 0 }, span))
+            }
+            _ => None,
+        });
+    }
+    (!named.is_empty()).then_some(new)
 }
 
 /// A wanted result, and the model in which lines are compared with it.
@@ -206,6 +231,9 @@ impl Goal {
         if restatement::same_but_for_letters(link, wanted) {
             return true;
         }
+        if self.is_its_root(checker, link, wanted) {
+            return true;
+        }
         if !self.is_solved_for(link, wanted) {
             return false;
         }
@@ -221,6 +249,18 @@ impl Goal {
             }
             _ => self.holds(checker, link, &[]) == Some(false) && self.holds(checker, wanted, &[own]) == Some(true),
         }
+    }
+
+    /// Whether a link gives the quantity whose square is wanted: `v = \sqrt{2gh}` for `v^2 = 2gh`.
+    fn is_its_root(&self, checker: &Checker<'_>, link: &Link, wanted: &Link) -> bool {
+        let Node::Power(base, power) = &wanted.lhs.node else { return false };
+        let is_square = matches!(&power.node, Node::Number(two) if two == "2");
+        if !is_square || base.as_plain_symbol().is_none() || link.lhs != **base {
+            return false;
+        }
+        let square = Expr::new(Node::Power(Box::new(link.rhs.clone()), power.clone()), link.rhs.span);
+        let same = checker.link(&square, Relation::Equal, &wanted.rhs);
+        same.is_ok_and(|same| self.holds(checker, &same, &[]) == Some(true))
     }
 
     /// Whether a link has a side with no other name than the quantity whose formula is wanted: ½mu² = mgh is a step on the way to
@@ -397,6 +437,7 @@ fn links(checker: &Checker<'_>, reading: &Reading) -> Vec<Link> {
         add(0, last);
         if last > 1 {
             (0..last).for_each(|at| add(at, at + 1));
+            (2..last).for_each(|at| add(0, at));
         }
     }
     found

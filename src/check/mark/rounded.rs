@@ -6,9 +6,13 @@ use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::judge::difference;
-use crate::check::model::claim::is_equality;
+use crate::check::model::claim::{Hypothesis, is_equality};
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
+
+/// The states in which a rounded number is tried, and the fewest that decide.
+const STATES: usize = 8;
+const FEWEST: usize = 3;
 
 /// The relative distance of two numbers that are equal.
 const EQUAL: f64 = 1e-9;
@@ -19,7 +23,7 @@ const DEEPEST: usize = 8;
 /// What the lines before a line say that symbols are: numbers by conditions, and formulas by true lines.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Known {
-    values: Vec<(SymbolId, Expr)>,
+    values: Vec<((SymbolId, u8), Expr)>,
     is_any_number: bool,
 }
 
@@ -30,23 +34,24 @@ impl Known {
             // The second member is the formula, and what follows may be rounded.
             let [first, last, ..] = statement.members.as_slice() else { continue };
             let is_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
-            let Some(id) = first.as_plain_symbol().filter(|_| is_equal) else {
-                continue;
+            let rate = match &first.node {
+                Node::Symbol { id, indices, dots } if is_equal && indices.is_empty() => (*id, *dots),
+                _ => continue,
             };
             let symbols = last.symbols();
-            if symbols.iter().any(|(other, _)| *other == id) || is_condition && !symbols.is_empty() {
+            if symbols.iter().any(|(other, _)| *other == rate.0) || is_condition && !symbols.is_empty() {
                 continue;
             }
             self.is_any_number |= is_condition;
             // A condition counts for more than a formula, and the last one for most.
             let at = if is_condition { 0 } else { self.values.len() };
-            self.values.insert(at, (id, last.clone()));
+            self.values.insert(at, (rate, last.clone()));
         }
     }
 
     /// The symbols that have numbers by themselves, or by formulas of symbols that have.
-    fn numbers(&self) -> Vec<(SymbolId, Expr)> {
-        let mut closed: Vec<(SymbolId, Expr)> = Vec::new();
+    fn numbers(&self) -> Vec<((SymbolId, u8), Expr)> {
+        let mut closed: Vec<((SymbolId, u8), Expr)> = Vec::new();
         for _ in 0..DEEPEST {
             for (id, value) in &self.values {
                 let is_new = closed.iter().all(|(known, _)| known != id);
@@ -89,12 +94,46 @@ impl Known {
     }
 }
 
+/// Whether the two sides of a link with ≈ agree to the digits that are printed on its right side, in states that obey
+/// hypotheses: `t_h = R C \ln 2 \approx 0.69 \, R C`. `text` is that side; `None`, if it has no number of two digits or more.
+pub(super) fn agrees(checker: &Checker<'_>, text: &str, pair: &[Expr], hypotheses: &[Hypothesis]) -> Option<bool> {
+    let starts = text.char_indices().filter(|(at, c)| {
+        c.is_ascii_digit() && !text[..*at].ends_with(|before: char| before.is_ascii_digit() || ".^_{".contains(before))
+    });
+    let off = starts
+        .filter_map(|(at, _)| {
+            let length = text[at..].find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len() - at);
+            let number = text[at..at + length].trim_end_matches('.');
+            let value = number.parse::<f64>().ok().filter(|value| *value > 0.0)?;
+            number.contains('.').then_some(half_a_digit(number)? / value)
+        })
+        .reduce(f64::max)?;
+    let context = Context {
+        model: checker.model,
+        options: checker.options,
+        hypotheses,
+        on_shell: None,
+        topic: "a rounded number",
+        span: Span::default(),
+        spread: Spread::Declared,
+        local: &[],
+    };
+    let mode = context.mode(checker.model.has_motion(), &[&pair[0], &pair[1]]);
+    let ensemble = context.ensemble(mode, false, STATES).ok()?;
+    let near = ensemble.states.iter().filter_map(|state| {
+        let (a, b) = (difference::value(&pair[0], state)?.value, difference::value(&pair[1], state)?.value);
+        Some((a - b).abs() <= off * b.abs())
+    });
+    let near: Vec<bool> = near.collect();
+    (near.len() >= FEWEST).then(|| near.into_iter().all(|is_near| is_near))
+}
+
 /// A formula with numbers in the place of symbols.
-fn inserted(formula: &Expr, numbers: &[(SymbolId, Expr)]) -> Expr {
+fn inserted(formula: &Expr, numbers: &[((SymbolId, u8), Expr)]) -> Expr {
     let mut formula = formula.clone();
     formula.substitute(&|node| match node {
-        Node::Symbol { id, dots: 0, .. } => {
-            numbers.iter().find(|(known, _)| known == id).map(|(_, value)| value.clone())
+        Node::Symbol { id, dots, .. } => {
+            numbers.iter().find(|(known, _)| *known == (*id, *dots)).map(|(_, value)| value.clone())
         }
         _ => None,
     });

@@ -25,6 +25,9 @@ pub(super) enum Status {
     Unread(String),
 }
 
+/// The fewest states that decide where others give no number.
+const ENOUGH: usize = 5;
+
 /// What a reading of a display is.
 pub(super) fn status(checker: &Checker<'_>, display: usize, reading: &Reading, claim: &Claim) -> Status {
     if let Some(known) = stated(reading) {
@@ -73,8 +76,8 @@ pub(super) fn stated(reading: &Reading) -> Option<Status> {
 
 fn of_finding(finding: Finding) -> Status {
     use Code::{
-        Definition, DefinitionNotTested, DefinitionUnused, DefinitionUpToSign, FollowsFromHypotheses, ForcedValue,
-        MutantPasses, RestatesHypothesis, SameFormula, SideAlwaysZero, TrueByDefinition, UnitMismatch,
+        AlwaysConstant, Definition, DefinitionNotTested, DefinitionUnused, DefinitionUpToSign, FollowsFromHypotheses,
+        ForcedValue, MutantPasses, RestatesHypothesis, SameFormula, SideAlwaysZero, TrueByDefinition, UnitMismatch,
     };
     let is_named =
         |code: Code| matches!(code, Definition | DefinitionNotTested | DefinitionUnused | DefinitionUpToSign);
@@ -92,9 +95,12 @@ fn of_finding(finding: Finding) -> Status {
             | TrueByDefinition
             | MutantPasses
             | SideAlwaysZero
+            | AlwaysConstant
             | ForcedValue,
         )
         | (Verdict::Domain, _) => Status::Holds(Verdict::Verified),
+        // Where both sides have values they agree: a root exists only for some values of what it is taken of.
+        (Verdict::Undecided, Code::TooFewStates) if finding.points >= ENOUGH => Status::Holds(Verdict::Verified),
         (verdict, _) if verdict.passes() => Status::Holds(verdict),
         (verdict, _) => Status::Open(verdict, finding.message),
     }

@@ -23,6 +23,14 @@ use super::names::Letters;
 use super::problem::Problem;
 use super::written::Written;
 use super::written::instants::Instant;
+use super::written::single_letters;
+
+/// What an edit puts in, with the letters of the problem, if it is a name.
+fn in_letters(new: &str, table: &HashMap<Name, Name>) -> String {
+    let name = new.strip_prefix('{').and_then(|rest| rest.strip_suffix('}')).and_then(names::parse);
+    let other = name.and_then(|(name, _)| table.get(&name));
+    other.map_or_else(|| new.to_owned(), |other| format!("{{{other}}}"))
+}
 
 /// Commands for functions in other languages.
 const FOREIGN: [(&str, &str); 6] = [
@@ -73,7 +81,9 @@ impl<'p> World<'p> {
         let mut lines = Vec::new();
         let mut displays = Vec::new();
         for line in written {
-            let new = renamed_with(&line.text, &macros, table, &line.edits);
+            let edits: Vec<(Span, String)> =
+                line.edits.iter().map(|(span, new)| (*span, in_letters(new, table))).collect();
+            let new = renamed_with(&line.text, &macros, table, &edits);
             let body = Span::new(text.len(), text.len() + new.text.len());
             text.push_str(&new.text);
             text.push('\n');
@@ -144,6 +154,7 @@ impl<'p> World<'p> {
         together.macros.extend(notes.macros.iter().cloned());
         (together.inline, together.references) = (Vec::new(), Vec::new());
         let first = together.equations.len() - written.len();
+        together.added_from = Some(problem.notes.equations.len());
         let claims = problem.claims.clone();
         let back = table.iter().map(|(own, other)| (other.clone(), own.clone())).collect();
         let instants = instants.iter().map(|instant| Instant {
@@ -237,7 +248,7 @@ impl<'p> World<'p> {
 
     /// A formula with the letters of the student.
     pub fn in_own_letters(&self, latex: &str) -> String {
-        renamed(latex, &Macros::default(), &self.back).text
+        single_letters::as_written(&renamed(latex, &Macros::default(), &self.back).text)
     }
 
     /// The display of the `at`-th line.

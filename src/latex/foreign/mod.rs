@@ -16,7 +16,9 @@ use slashes::divided;
 use units::{degrees, numbers, units};
 
 /// The functions as other languages write them.
-const FUNCTIONS: [(&str, &str); 14] = [
+const FUNCTIONS: [(&str, &str); 16] = [
+    ("\\text{sen}", "\\sin"),
+    ("\\text{sin}", "\\sin"),
     ("\\operatorname{sen}", "\\sin"),
     ("\\operatorname{sin}", "\\sin"),
     ("\\operatorname{cos}", "\\cos"),
@@ -50,10 +52,11 @@ pub(super) fn edits(text: &str) -> Vec<(Span, String)> {
         );
         edits.extend(text.match_indices(function).filter_map(|(at, _)| divided(text, at + function.len())).flatten());
     }
-    edits.extend(slashes::products_in_exponents(text));
+    edits.extend(slashes::time_in_exponents(text));
     edits.extend(differentials::rates(text));
     edits.extend(thousands(text));
     edits.extend(sums(text));
+    edits.extend(slashes::colons(text));
     edits.extend(numbers(text).into_iter().filter_map(|number| {
         degrees(text, number).or_else(|| {
             let (end, power) = units(text, number.end)?;

@@ -1,4 +1,4 @@
-//! What a slash divides, where people mean one thing: `\sin\alpha/k` divides the sine, and `e^{-t/RC}` has RC below the slash.
+//! What a slash or a colon divides, where people mean one thing: `\sin\alpha/k` divides the sine.
 
 use crate::latex::names::is_letter;
 use crate::source::Span;
@@ -49,9 +49,9 @@ pub(super) fn divided(text: &str, from: usize) -> Option<[(Span, String); 2]> {
         .then(|| [(Span::new(start, start), "(".to_owned()), (Span::new(end, end), ")".to_owned())])
 }
 
-/// The edits that enclose a product after a slash in an exponent, up to its end or a sign: `e^{-t/RC}`. Where the time is the
-/// last factor, `e^{-k/m t}`, it stands beside the quotient.
-pub(super) fn products_in_exponents(text: &str) -> Vec<(Span, String)> {
+/// The edits that put the time beside the quotient before it, where it is the last factor in an exponent: `e^{-k/m t}`. What
+/// else stands below a slash in an exponent, the reader says for all texts.
+pub(super) fn time_in_exponents(text: &str) -> Vec<(Span, String)> {
     let mut edits = Vec::new();
     for (at, _) in text.match_indices("^{") {
         let start = at + "^{".len();
@@ -59,18 +59,10 @@ pub(super) fn products_in_exponents(text: &str) -> Vec<(Span, String)> {
         let end = start + length - "}".len();
         for (slash, _) in inside.match_indices('/') {
             let factors = factors(&text[..end], start + slash + 1);
-            let (Some(first), Some(last)) = (factors.first(), factors.last()) else { continue };
+            let [_, last] = factors.as_slice() else { continue };
             let rest = text[last.end..end].trim_start();
-            if factors.len() < 2 || !(rest.is_empty() || rest.starts_with(['+', '-', ')', ']'])) {
-                continue;
-            }
-            match (&text[last.range()], factors.as_slice()) {
-                ("t", [_, only]) => edits.push((Span::new(only.start, only.start), "\\cdot ".to_owned())),
-                ("t", _) => {}
-                _ => {
-                    edits.push((Span::new(first.start, first.start), "(".to_owned()));
-                    edits.push((Span::new(last.end, last.end), ")".to_owned()));
-                }
+            if &text[last.range()] == "t" && (rest.is_empty() || rest.starts_with(['+', '-', ')', ']'])) {
+                edits.push((Span::new(last.start, last.start), "\\cdot ".to_owned()));
             }
         }
     }
@@ -117,6 +109,19 @@ fn power(text: &str, at: usize) -> Option<usize> {
         }
         None => script.starts_with(|c: char| c.is_ascii_digit()).then_some(at + 2),
     }
+}
+
+/// The edits that make a colon between two quantities a slash: `r = V_1 : V_2`.
+pub(super) fn colons(text: &str) -> Vec<(Span, String)> {
+    let divides = |at: &usize| {
+        let (before, after) = (text[..*at].trim_end(), skipped(text, at + 1));
+        let starts = before.char_indices().map(|(start, _)| start).rev().take(20);
+        let is_quantity = starts.filter(|start| factor(text, *start) == Some(before.len())).last();
+        let is_after_equality = is_quantity.is_some_and(|start| before[..start].trim_end().ends_with('='));
+        is_after_equality && factor(text, after).is_some_and(|end| text[skipped(text, end)..].trim().is_empty())
+    };
+    let places = text.match_indices(':').map(|(at, _)| at);
+    places.filter(divides).map(|at| (Span::new(at, at + 1), "/".to_owned())).collect()
 }
 
 /// The plain factors that stand side by side from a place on: letters with their subscripts, and numbers. None, if something
@@ -174,13 +179,19 @@ mod tests {
     }
 
     #[test]
-    fn a_slash_in_an_exponent_divides_by_the_whole_product() {
-        assert_eq!(plain(r"e^{-t/RC}"), r"e^{-t/(RC)}");
-        assert_eq!(plain(r"e^{-2t/R_1 C_{2} + 1}"), r"e^{-2t/(R_1 C_{2}) + 1}");
-        assert_eq!(plain(r"e^{-\gamma t/2m}"), r"e^{-\gamma t/(2m)}");
+    fn the_time_after_a_quotient_in_an_exponent_stands_beside_it() {
         assert_eq!(plain(r"e^{-k/m t}"), r"e^{-k/m \cdot t}");
-        // The twins: one factor, parentheses, no exponent, a factor that is no letter.
-        for text in [r"e^{-t/\tau}", r"e^{-t/(RC)}", r"t/RC", r"e^{-t/R(C)}", r"e^{-x/l \cos x}"] {
+        // The twins: the time above, one factor, three factors, no exponent.
+        for text in [r"e^{-t/RC}", r"e^{-t/\tau}", r"e^{-k/m l t}", r"k/m t", r"e^{-x/l \cos x}"] {
+            assert_eq!(plain(text), text);
+        }
+    }
+
+    #[test]
+    fn a_colon_between_two_quantities_divides() {
+        assert_eq!(plain(r"r = V_1 : V_2"), r"r = V_1 / V_2");
+        // The twins: a definition, a colon after a condition, a map.
+        for text in ["r := V_1", "x = 0: y = 1", "f : a"] {
             assert_eq!(plain(text), text);
         }
     }

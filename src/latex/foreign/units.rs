@@ -2,46 +2,43 @@
 
 use crate::source::Span;
 
-/// Units, and the power of ten that each is of the unit of the SI.
-const UNITS: [(&str, i32); 37] = [
-    ("kg", 0),
+/// Units of the SI, each with the power of ten that it is of the coherent unit.
+const UNITS: [(&str, i32); 21] = [
     ("m", 0),
+    ("g", -3),
     ("s", 0),
+    ("A", 0),
+    ("K", 0),
+    ("mol", 0),
     ("N", 0),
     ("J", 0),
     ("W", 0),
     ("V", 0),
-    ("A", 0),
-    ("K", 0),
     ("Pa", 0),
     ("Hz", 0),
     ("C", 0),
     ("F", 0),
     ("H", 0),
     ("T", 0),
-    ("mol", 0),
+    ("Ω", 0),
     ("rad", 0),
     ("Nm", 0),
     ("Js", 0),
-    ("cm", -2),
-    ("mm", -3),
-    ("km", 3),
-    ("dm", -1),
-    ("nm", -9),
-    ("g", -3),
-    ("mg", -6),
-    ("ms", -3),
-    ("kN", 3),
-    ("kJ", 3),
-    ("kW", 3),
-    ("kPa", 3),
-    ("mA", -3),
-    ("MW", 6),
-    ("MJ", 6),
-    ("nF", -9),
-    ("pF", -12),
-    ("kV", 3),
+    ("Ws", 0),
 ];
+
+/// Prefixes of units, with their powers of ten.
+const PREFIXES: [(&str, i32); 9] =
+    [("k", 3), ("M", 6), ("G", 9), ("d", -1), ("c", -2), ("m", -3), ("µ", -6), ("n", -9), ("p", -12)];
+
+/// The power of ten of a unit, perhaps with a prefix.
+fn power_of(word: &str) -> Option<i32> {
+    let plain = |word: &str| UNITS.iter().find(|(unit, _)| *unit == word).map(|(_, power)| *power);
+    plain(word).or_else(|| {
+        let with = |(prefix, power): &(&str, i32)| Some(plain(word.strip_prefix(prefix)?)? + power);
+        PREFIXES.iter().find_map(with)
+    })
+}
 
 /// The numbers in a text, but for those in a subscript or a power.
 pub(super) fn numbers(text: &str) -> Vec<Span> {
@@ -110,8 +107,17 @@ fn unit(text: &str, at: usize) -> Option<(usize, i32)> {
     let command = ["\\text{", "\\mathrm{", "\\textrm{", "\\mbox{", "\\rm{", "\\unit{"];
     let command = command.iter().find(|command| rest.starts_with(**command))?;
     let (inside, length) = braced(&rest[command.len()..])?;
-    let power = words(inside)?;
-    let end = at + command.len() + length;
+    let mut end = at + command.len() + length;
+    let power = match words(inside) {
+        Some(power) => power,
+        // `\text{k}\Omega`
+        None => {
+            let (_, power) = PREFIXES.iter().find(|(prefix, _)| *prefix == inside.trim())?;
+            let ohm = text[skipped(text, end)..].strip_prefix("\\Omega")?;
+            end = text.len() - ohm.len();
+            *power
+        }
+    };
     let (exponent, end) = exponent(text, end);
     Some((end, power * exponent))
 }
@@ -130,6 +136,7 @@ fn words(text: &str) -> Option<i32> {
     let mut power = 0;
     let mut sign = 1;
     let text = text.replace("\\,", " ").replace("\\cdot", " ").replace("\\ ", " ").replace(['~', '·'], " ");
+    let text = text.replace("$", "").replace("\\Omega", "Ω").replace("\\mu", "µ").replace('μ', "µ").replace("µ ", "µ");
     let text = text.replace('²', "^2").replace('³', "^3").replace('/', " / ");
     let mut any = false;
     for word in text.split_whitespace() {
@@ -139,8 +146,7 @@ fn words(text: &str) -> Option<i32> {
         }
         let (name, exponent) = word.split_once('^').unwrap_or((word, "1"));
         let exponent: i32 = exponent.trim_matches(['{', '}']).parse().ok()?;
-        let (_, ten) = UNITS.iter().find(|(unit, _)| *unit == name)?;
-        power += sign * ten * exponent.clamp(-9, 9);
+        power += sign * power_of(name)? * exponent.clamp(-9, 9);
         any = true;
     }
     any.then_some(power)
@@ -206,6 +212,11 @@ mod tests {
         assert_eq!(plain(r"C = 3 \cdot 10^{-6}\,\text{F}"), r"C = 3 \cdot 10^{-6}");
         assert_eq!(plain(r"v = 2~\text{km}/\text{s}"), r"v = 2 \cdot 10^{3}");
         assert_eq!(plain(r"\alpha = 60^\circ"), r"\alpha = \frac{60 \pi}{180}");
+        assert_eq!(plain(r"R = 2\,\text{k}\Omega, C = 3\,\text{mF}"), r"R = 2 \cdot 10^{3}, C = 3 \cdot 10^{-3}");
+        assert_eq!(
+            plain(r"C = 5\,\mathrm{\mu F}, R = 5\,\mathrm{M\Omega}"),
+            r"C = 5 \cdot 10^{-6}, R = 5 \cdot 10^{6}"
+        );
         // The twins: no unit, no number, a subscript.
         for text in [r"3\,\text{apples}", r"x = \text{m}", r"T_1 \mathrm{m}", r"3 m"] {
             assert_eq!(plain(text), text);

@@ -33,6 +33,16 @@ pub fn separated(text: &str) -> String {
             }
         }
     }
+    for mark in ["\\underline{", "\\uuline{", "\\uline{"] {
+        while let Some(at) = new.find(mark) {
+            // The line under a result says nothing: its braces become spaces.
+            let inside = at + mark.len();
+            let Some((_, length)) = braced(&new[inside..]) else { break };
+            let end = inside + length;
+            new.replace_range(end - 1..end, " ");
+            new.replace_range(at..inside, &" ".repeat(mark.len()));
+        }
+    }
     for remark in ["\\checkmark", "\\square", "\\blacksquare", "\\qed"] {
         while let Some(at) = new.find(remark) {
             new.replace_range(at..at + remark.len(), &" ".repeat(remark.len()));
@@ -153,6 +163,7 @@ mod tests {
             (r"x = 0 \text{or} x = 1", r"x = 0 \quad     x = 1"),
             (r"a = b \;\checkmark", r"a = b \;          "),
             (r"a = b =: c", r"a = b =  c"),
+            (r"\underline{\underline{a = b_{1}}}", r"                      a = b_{1}  "),
             (r"t = 0:\quad a = b", r"t = 0,\quad a = b"),
             (r"a = b \to c = d", r"a = b ,   c = d"),
             (r"a = b \quad \text{y también} \quad c = d", r"a = b \quad \quad             \quad c = d"),

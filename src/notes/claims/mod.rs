@@ -243,7 +243,10 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
         axes,
         components: vectors::components(&fields, source)?,
         continua,
-        laws: fields.pairs("laws")?,
+        laws: fields.pairs("laws").map_err(|fault| match fault.help {
+            Some(_) => fault,
+            None => fault.help("write a name and an equation for each, as in { \"Newton's law\": \"1\" }"),
+        })?,
         units,
         dissipation,
         forces: fields.pairs("forces")?,

@@ -73,6 +73,29 @@ pub enum Count {
 
 const RANGES: &str = "a range is \"> 0\", \"< 0\", \"any\", \"angle\", an interval such as \"(0, \\\\pi)\" or \
                       \"[0.2, 2.9]\", or \"integer 2..5\"";
+/// Kinds of quantities that authors write where a range belongs.
+const QUANTITIES: [&str; 20] = [
+    "distance",
+    "length",
+    "position",
+    "height",
+    "charge",
+    "mass",
+    "time",
+    "speed",
+    "velocity",
+    "current",
+    "voltage",
+    "energy",
+    "temperature",
+    "momentum",
+    "force",
+    "number",
+    "real",
+    "positive",
+    "coordinate",
+    "scalar",
+];
 const INDICES: &str = "an index runs over \"1..3\" or \"1..n\"; one that is never summed over is \"labels 1..3\"";
 const MOTIONS: &str =
     "as in \"rigid, turning with \\\\vec\\\\omega\", with \"about \\\\vec c\" after it where it turns about a point";
@@ -96,6 +119,14 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
                 let fault = Fault::claims(written.span, format!("\"{text}\" is not a range"));
                 if text == "fixed direction" || text.starts_with("rigid") {
                     return Err(fault.help("declare a vector that varies like this under \"varies with time\""));
+                }
+                let is_quantity = QUANTITIES.iter().any(|word| text.eq_ignore_ascii_case(word));
+                if is_quantity {
+                    let help = format!(
+                        "\"{text}\" says what a quantity is, and a range says which values it has: \
+                                        \"> 0\", if it is never negative, else \"any\""
+                    );
+                    return Err(fault.help(help));
                 }
                 return Err(match nearest(text, ["any", "angle", "integer"]) {
                     Some(word) => fault.help(format!("did you mean \"{word}\"? {RANGES}")),

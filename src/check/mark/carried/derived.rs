@@ -143,6 +143,35 @@ pub(super) fn at_instants(checker: &Checker<'_>, wrong: &Reading, own: &Reading)
     found
 }
 
+/// What a false line with one coordinate and its velocity says where one of them vanishes and the other is a quantity of a
+/// line: `E = k x^2 + \frac12 m \dot x^2` says `E = k A^2`.
+pub(super) fn at_turns(checker: &Checker<'_>, wrong: &Reading, own: &Reading) -> Vec<Reading> {
+    let model = checker.model;
+    let moves = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
+    let moving: Vec<(SymbolId, u8)> = symbols(wrong).into_iter().filter(|(id, _)| moves(*id)).collect();
+    let Some(&(id, _)) = moving.first() else { return Vec::new() };
+    if moving.iter().any(|(other, dots)| *other != id || *dots > 1) || !moving.contains(&(id, 1)) {
+        return Vec::new();
+    }
+    let known: Vec<SymbolId> = symbols(wrong).into_iter().map(|(id, _)| id).collect();
+    let is_value = |(id, dots): &(SymbolId, u8)| *dots == 0 && !known.contains(id) && !moves(*id);
+    let values = symbols(own).into_iter().filter(is_value).take(TRIED);
+    values
+        .flat_map(|(value, _)| {
+            [0, 1].map(|other| {
+                replaced(wrong, &|node| match node {
+                    Node::Symbol { id: found, dots, indices } if *found == id && *dots == other => Some(Expr::new(
+                        Node::Symbol { id: value, indices: indices.clone(), dots: 0 },
+                        Default::default(),
+                    )),
+                    Node::Symbol { id: found, .. } if *found == id => Some(Expr::integer(0, Default::default())),
+                    _ => None,
+                })
+            })
+        })
+        .collect()
+}
+
 /// The symbols of a reading with their dots, each once.
 pub(super) fn symbols(reading: &Reading) -> Vec<(SymbolId, u8)> {
     let members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);

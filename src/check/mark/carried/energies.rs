@@ -1,7 +1,7 @@
 //! A false Lagrangian that is T − U with energies of the student's own: then one of these is false.
 
 use crate::formula::symbols::Name;
-use crate::formula::{Expr, Node, Relation, SymbolId};
+use crate::formula::{Expr, Node, Relation, Sign, SymbolId, Term};
 use crate::latex::Reading;
 use crate::latex::slips::{self, Pool};
 use crate::notes::claims::Claim;
@@ -11,6 +11,10 @@ use crate::check::document::checker::Checker;
 use crate::check::mark::slip::fits;
 use crate::check::mark::status::{Status, status};
 use crate::check::model::meaning::Meaning;
+
+/// Subscripts of E for kinetic and for potential energies.
+const KINETIC_SUBSCRIPTS: [&str; 4] = ["k", "c", "kin", "cin"];
+const POTENTIAL_SUBSCRIPTS: [&str; 2] = ["p", "pot"];
 
 /// Letters for kinetic and for potential energies.
 const KINETIC: [&str; 3] = ["T", "K", "\\mathcal{T}"];
@@ -37,8 +41,8 @@ pub(in crate::check::mark) fn false_energy(
         };
         own.iter().filter_map(found).last()
     };
-    let kinetic = defined(&KINETIC, &["k", "c", "kin", "cin"])?;
-    let potential = defined(&POTENTIAL, &["p", "pot"])?;
+    let kinetic = defined(&KINETIC, &KINETIC_SUBSCRIPTS)?;
+    let potential = defined(&POTENTIAL, &POTENTIAL_SUBSCRIPTS)?;
     let difference = symbol(kinetic.1).minus(symbol(potential.1));
     let same = checker.link(&difference, Relation::Equal, last).ok()?;
     if !holds(checker, at, &same.lhs, &same.rhs) || holds(checker, at, &difference, &symbol(lagrangian)) {
@@ -85,6 +89,28 @@ pub(in crate::check::mark) fn false_energy(
         _ => None,
     });
     Some(if holds(checker, at, &left, &at_rest) { potential.0 } else { kinetic.0 })
+}
+
+/// Whether a line says that the Lagrangian is the sum of a kinetic and a potential energy of which no line says what they are:
+/// whatever they are, the sign is wrong.
+pub(in crate::check::mark) fn is_sum_of_energies(checker: &Checker<'_>, reading: &Reading) -> bool {
+    let Some(printed) = checker.model.printed_lagrangian.as_ref() else { return false };
+    let [Ok(statement)] = reading.statements.as_slice() else { return false };
+    let [first, second] = statement.members.as_slice() else { return false };
+    let lagrangian = checker.model.symbols.find(&printed.lagrangian).map(|(id, _)| id);
+    let Node::Sum(terms) = &second.node else { return false };
+    let [a, b] = terms.as_slice() else { return false };
+    let unknown = |term: &Term, letters: &[&str], others: &[&str]| {
+        term.sign == Sign::Plus
+            && term.expr.as_plain_symbol().is_some_and(|id| {
+                let is_said = matches!(checker.model.meaning(id), Some(Meaning::Defined(_) | Meaning::System(_)));
+                (!is_said || reading.introduced.iter().any(|new| new.symbol == id))
+                    && is_energy(&checker.model.symbols.entry(id).name, letters, others)
+            })
+    };
+    let is_pair =
+        |a: &Term, b: &Term| unknown(a, &KINETIC, &KINETIC_SUBSCRIPTS) && unknown(b, &POTENTIAL, &POTENTIAL_SUBSCRIPTS);
+    lagrangian.is_some() && first.as_plain_symbol() == lagrangian && (is_pair(a, b) || is_pair(b, a))
 }
 
 fn is_energy(name: &Name, letters: &[&str], subscripts: &[&str]) -> bool {

@@ -23,6 +23,8 @@ use super::{Before, derived};
 
 /// The states at which equations are compared, and how many of them must decide.
 pub(in crate::check::mark) const STATES: usize = 8;
+/// The states where fewer give too few numbers.
+const MORE_STATES: usize = 4 * STATES;
 /// The fewest states that decide.
 pub(in crate::check::mark) const FEWEST: usize = 3;
 
@@ -50,13 +52,26 @@ pub(in crate::check::mark) fn holds(
         local: &[],
     };
     let mode = context.mode(false, &[&link.lhs, &link.rhs]);
-    let ensemble = context.ensemble(mode, false, STATES).ok()?;
-    let outcome = outcome::run(link, &ensemble.states).ok()?;
-    match (outcome.failure.is_some(), outcome.points >= FEWEST) {
+    let tried = |states: usize| {
+        let ensemble = context.ensemble(mode, false, states).ok()?;
+        let outcome = outcome::run(link, &ensemble.states).ok()?;
+        Some((outcome.failure.is_some(), outcome.points))
+    };
+    // Where a side has a value only in some states, as a root has, more are drawn.
+    let (fails, points) = tried(STATES)?;
+    let is_short = !fails && points < FEWEST && (points > 0 || has_root(&link.lhs) || has_root(&link.rhs));
+    let (fails, points) = if is_short { tried(MORE_STATES)? } else { (fails, points) };
+    match (fails, points >= FEWEST) {
         (true, _) => Some(false),
         (false, true) => Some(true),
         (false, false) => None,
     }
+}
+
+fn has_root(formula: &Expr) -> bool {
+    let mut found = false;
+    formula.walk(&mut |part| found |= matches!(part.node, Node::Root(..)));
+    found
 }
 
 /// Whether a false line follows from a false line, by itself or with true lines.
@@ -68,6 +83,12 @@ pub(in crate::check::mark) fn follows(
 ) -> bool {
     let (Some(wrong), Some(own)) = (links(checker, &checker.readings[from]), links(checker, reading)) else {
         return false;
+    };
+    // Of a chain only the links count that are false: the others hold whatever is carried.
+    let is_false = |link: &Link| own.len() == 1 || holds(checker, checker.model, link, &[]) != Some(true);
+    let own: Vec<Link> = match own.iter().filter(|link| is_false(link)).cloned().collect::<Vec<_>>() {
+        none if none.is_empty() => own,
+        some => some,
     };
     let mut model = checker.without_system(false).model;
     for id in conserved(checker, from, wrong.iter().chain(&own)) {
@@ -93,6 +114,8 @@ pub(in crate::check::mark) fn follows(
         }
     }
     derived.extend(derived::at_instants(checker, &checker.readings[from], reading));
+    derived.extend(derived::at_turns(checker, &checker.readings[from], reading));
+    derived.extend(before.motion.at_start(checker, &checker.readings[from]));
     let derived: Vec<Vec<Link>> = derived.iter().filter_map(|reading| links(checker, reading)).collect();
     let rates: Vec<Link> = wrong.iter().filter_map(|link| rate(checker, link)).collect();
     let mut sets = vec![premises(&mut wrong.iter()), premises(&mut rates.iter())];
@@ -149,9 +172,31 @@ pub(in crate::check::mark) fn follows(
         }
     }
     sets.extend(others.iter().map(|one| premises(&mut wrong.iter().chain(one))));
+    // Which rate a quantity of the problem is, a hand-in need not say: I = \dot Q.
+    let rates = rates_by_name(checker, before, &names);
+    if !rates.is_empty() {
+        sets.push(premises(&mut wrong.iter().chain(&rates)));
+    }
     let beside = derived.iter().flat_map(|derived| others.iter().map(move |other| (derived, other)));
     sets.extend(beside.map(|(derived, other)| premises(&mut derived.iter().chain(other))));
     !names.is_empty() && sets.iter().any(|set| holds_all(&open, set) || holds_all(&positive, set))
+}
+
+/// The quantities among `names` that are rates of a coordinate along the motion of the problem, as links.
+fn rates_by_name(checker: &Checker<'_>, before: &Before<'_>, names: &[SymbolId]) -> Vec<Link> {
+    let moves =
+        |id: &SymbolId| matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
+    let moving: Vec<SymbolId> = checker.model.symbols.iter().map(|(id, _)| id).filter(moves).collect();
+    let pairs = names.iter().flat_map(|name| moving.iter().map(move |of| (*name, *of)));
+    let symbol = |id, dots| Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, Span::default());
+    let links = pairs.filter_map(|(name, of)| {
+        let rate = symbol(of, 1);
+        [rate.clone(), rate.negated()].into_iter().find_map(|rate| {
+            let link = checker.link(&symbol(name, 0), Relation::Equal, &rate).ok()?;
+            before.motion.has(checker, &link).then_some(link)
+        })
+    });
+    links.collect()
 }
 
 /// Whether an equation of motion holds where a line says what a coordinate is at all times: `Q = C U_0` in

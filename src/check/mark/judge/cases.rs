@@ -58,16 +58,27 @@ impl Judge<'_, '_> {
             })
     }
 
-    /// A reading with the values at instants that are known.
-    pub(super) fn at_instants(&self, mut reading: Reading) -> Reading {
+    /// A reading with what is known of the student's own quantities in their place: values at instants, and what relations say.
+    /// Names that are defined by such quantities are written out, so that nothing hides in them: `c_2 = e^{-c_1}`.
+    pub(super) fn with_known(&self, mut reading: Reading) -> Reading {
+        let of_problem = self.world.problem.notes.equations.len();
+        let known: Vec<SymbolId> = self
+            .instants
+            .iter()
+            .filter_map(|(id, value)| value.as_ref().map(|_| *id))
+            .chain(self.implied.iter().map(Implied::symbol))
+            .collect();
         let value = |node: &Node| match node {
             Node::Symbol { id, dots: 0, .. } => self.instants.iter().find(|(known, _)| known == id)?.1.clone(),
             _ => None,
         };
         for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+            if self.quiet.model.depends_on(member, &known) {
+                *member = given::expanded(self.quiet, of_problem, member.clone());
+            }
             member.substitute(&value);
         }
-        reading
+        self.implied.iter().fold(reading, |reading, implied| implied.applied(reading))
     }
 
     /// Whether a reading has a value at an instant that is not known.

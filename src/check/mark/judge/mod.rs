@@ -4,19 +4,18 @@ use crate::Result;
 use crate::code::Code;
 use crate::formula::{Expr, Statement, SymbolId};
 use crate::latex::{Reading, names};
-use crate::notes::claims::{Claim, Lost, Spanned};
+use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::setup::Run;
-use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
 use super::carried::{Before, energies, origin};
 use super::given::{self, Implied};
-use super::judged::Judged;
+use super::judged::{self, Judged};
 use super::marked::{Line, Mark};
 use super::motion::{Along, Motion};
 use super::results;
@@ -25,29 +24,49 @@ use super::slip;
 use super::special::{self, AT_SPEED};
 use super::status::{Status, approximate, composed, stated, status};
 use super::world::World;
-use super::written::instants::Instant;
 
+mod another_meaning;
 mod cases;
+mod digits;
+mod instants;
 
-/// Judges the lines of a hand-in; with `details`, with the slips in wrong lines.
+use another_meaning::{Break, free_of, vanishes, with_dots};
+
+/// Judges the lines of a hand-in, with the slips in wrong lines.
 ///
 /// # Errors
 /// When the problem cannot be applied to the hand-in.
-pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<Judged> {
+pub(super) fn judge(run: &Run<'_>, world: &World<'_>) -> Result<Judged> {
+    let nothing = || Judged { lines: Vec::new(), found: Vec::new() };
+    Ok(judged(run, world, (true, None))?.unwrap_or_else(nothing))
+}
+
+/// Judges the lines of a hand-in by numbers alone; `None`, once its score cannot be more than `best`.
+///
+/// # Errors
+/// As [`judge`].
+pub(super) fn judge_quickly(run: &Run<'_>, world: &World<'_>, best: Option<i64>) -> Result<Option<Judged>> {
+    judged(run, world, (false, best))
+}
+
+fn judged(run: &Run<'_>, world: &World<'_>, (details, best): (bool, Option<i64>)) -> Result<Option<Judged>> {
     world.checked(run, |checker| {
+        let first = world.first;
+        let readings: Vec<Reading> = checker.readings.iter().cloned().map(with_dots).collect();
+        let checker = Checker { readings: &readings, units: checker.units.clone(), ..checker };
+        let mut instants = instants::known(&checker, world, &Motion::of(&checker, world));
+        let mut model = checker.model.clone();
+        instants::defined_elsewhere(&mut model, &readings[first..], &mut instants);
+        let checker = Checker { model: &model, units: checker.units.clone(), ..checker };
         let quiet =
             Checker { options: Options { explain: false, ..checker.options }, units: checker.units.clone(), ..checker };
         let motion = Motion::of(&checker, world);
-        let named = |instant: &Instant| {
-            let id = checker.model.symbols.find(&names::parse(&instant.name)?.0)?.0;
-            Some((id, motion.value(&checker, instant)))
-        };
-        let instants = world.instants.iter().filter_map(named).collect();
         let mut judge = Judge {
             world,
             instants,
             run,
             checker: &checker,
+            open: free_of(&checker, &motion),
             implied: Vec::new(),
             wanted: results::names(&checker, world.problem),
             quiet: &quiet,
@@ -56,11 +75,16 @@ pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<J
             trusted: checker.readings.to_vec(),
             premises: checker.readings.to_vec(),
             conditions: Vec::new(),
+            breaks: Vec::new(),
             known: Known::default(),
             lines: Vec::new(),
         };
         for at in 0..world.written.len() {
             judge.line(at)?;
+            let left = world.written.len() - at - 1;
+            if best.is_some_and(|best| judged::at_most(&judge.lines, left, world.problem.wanted.len()) <= best) {
+                return Ok(None);
+            }
         }
         let (mut lines, premises) = (judge.lines, judge.premises);
         let mut corrected = vec![None; lines.len()];
@@ -75,7 +99,7 @@ pub(super) fn judge(run: &Run<'_>, world: &World<'_>, details: bool) -> Result<J
             }
         }
         let found = results::found(&quiet, world, &mut lines, (&premises, details.then_some(&corrected)))?;
-        Ok(Judged { lines, found })
+        Ok(Some(Judged { lines, found }))
     })
 }
 
@@ -85,6 +109,8 @@ struct Judge<'j, 'c> {
     checker: &'j Checker<'c>,
     /// What relations said of the student's own quantities.
     implied: Vec<Implied>,
+    /// What moves in the problem, and nothing there determines.
+    open: Vec<SymbolId>,
     wanted: Vec<SymbolId>,
     quiet: &'j Checker<'c>,
     /// Whether a false line is compared with those before it; without that, numbers alone decide what holds.
@@ -98,6 +124,8 @@ struct Judge<'j, 'c> {
     premises: Vec<Reading>,
     /// The conditions that were stated, as LaTeX, with the names of their lines.
     conditions: Vec<(String, String)>,
+    /// The conditions that the problem does not meet.
+    breaks: Vec<Break>,
     /// What the lines say that symbols are.
     known: Known,
     lines: Vec<Line>,
@@ -123,8 +151,7 @@ impl Judge<'_, '_> {
             result: None,
             credit: None,
         };
-        let read = self.at_instants(self.quiet.readings[display].clone());
-        let reading = self.implied.iter().fold(read, |reading, implied| implied.applied(reading));
+        let reading = self.with_known(self.quiet.readings[display].clone());
         self.premises[display] = reading.clone();
         let before = written.continues.map(|_| at - 1);
         let broken = before.filter(|before| matches!(self.lines[*before].mark, Mark::Wrong | Mark::Carried));
@@ -146,6 +173,15 @@ impl Judge<'_, '_> {
             (line.mark, line.follows_from) = (Mark::Carried, Some(from));
             line.because = carried(&self.lines, from);
             line.verdict = Some(Verdict::Refuted);
+            self.push(line);
+            return Ok(());
+        }
+        if matches!(status, Status::Open(..) | Status::False(_)) && self.is_near(display, &reading) {
+            (status, under) = (Status::Holds(Verdict::Verified), "right to the printed digits".to_owned());
+        }
+        if energies::is_sum_of_energies(self.quiet, &reading) {
+            (line.mark, line.verdict) = (Mark::Wrong, Some(Verdict::Refuted));
+            line.because = "the Lagrangian is the difference of the energies".to_owned();
             self.push(line);
             return Ok(());
         }
@@ -204,8 +240,26 @@ impl Judge<'_, '_> {
         if written.continues.is_none() && has_value && (is_said || !is_last) {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = "a condition or a value, taken for granted".to_owned();
+            let own = |id: SymbolId| self.is_own(id);
+            if !is_said && statements.iter().all(|statement| given::compares_constants(self.quiet, statement, own)) {
+                (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
+                line.because =
+                    "a condition that the problem does not have, and no word before it says that it is one".to_owned();
+            }
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
             self.known.add(reading, true);
+            return Ok(());
+        }
+        if let Some(name) = vanishes(self.quiet, &statements).filter(|_| is_said) {
+            (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
+            line.because = "a condition that the problem does not have".to_owned();
+            self.breaks.push((name, written.name.clone()));
+            return Ok(());
+        }
+        if written.is_if && statements.iter().all(|statement| self.relates_constants(statement)) {
+            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
+            line.because = "a condition, taken for granted".to_owned();
+            self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
             return Ok(());
         }
         if self.has_unknown_instant(reading) {
@@ -214,12 +268,15 @@ impl Judge<'_, '_> {
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
             return Ok(());
         }
-        if let Some(implied) = Implied::by(self.quiet, &self.world.declared, reading)
+        if let Some(implied) = Implied::by(self.quiet, (&self.world.declared, &self.open), reading)
             && self.gives(display, reading, &implied)
             && (self.names_the_last(display, reading, &implied) || !(self.details && self.is_slip(at)?))
         {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
-            line.because = format!("defines {}, which the problem does not have", implied.name(self.quiet));
+            line.because = match self.open.contains(&implied.symbol()) {
+                true => format!("says what {} is, which the problem leaves open", implied.name(self.quiet)),
+                false => format!("defines {}, which the problem does not have", implied.name(self.quiet)),
+            };
             self.implied.push(implied);
             return Ok(());
         }
@@ -267,7 +324,7 @@ impl Judge<'_, '_> {
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
             return Ok(());
         }
-        let in_general = self.world.problem.special.at_all_times(self.quiet, reading);
+        let in_general = self.world.problem.special.at_all_times(self.quiet, &self.with_running_time(reading));
         if self.is_up_to_initial_values(display, reading)
             || in_general.is_some_and(|reading| self.is_up_to_initial_values(display, &reading))
         {
@@ -323,6 +380,10 @@ impl Judge<'_, '_> {
                 line.because = format!("uses {}, which is defined nowhere", self.unknown(reading).join(", "));
             }
             None => {
+                if let Some(why) = self.another_meaning(display, reading).filter(|_| self.details) {
+                    (line.mark, line.verdict, line.because) = (Mark::Open, Some(Verdict::Undecided), why);
+                    return Ok(());
+                }
                 line.mark = Mark::Wrong;
                 line.because = match wrong.is_empty() {
                     true => "does not follow from the problem".to_owned(),
@@ -331,48 +392,6 @@ impl Judge<'_, '_> {
             }
         }
         Ok(())
-    }
-
-    /// Whether a line says no more than what a quantity of the student's own is.
-    fn gives(&self, display: usize, reading: &Reading, implied: &Implied) -> bool {
-        let is_short = reading.statements.iter().flatten().all(|statement| statement.members.len() == 2);
-        is_short || matches!(self.status(display, &implied.applied(reading.clone())).0, Status::Holds(_))
-    }
-
-    /// Whether a line that does not hold may be true, since it has quantities of the student's own of which no line says what
-    /// they are: then only a symbol in the place of
-    /// another one shows that it is false.
-    fn leaves_open(&self, at: usize, reading: &Reading) -> Result<bool> {
-        let is_mistyped = |edit: &slip::Corrected| edit.slip.lost == Lost::Symbol;
-        let is_open = !self.unknown(reading).is_empty();
-        Ok(is_open && !slip::found(self.run, self.checker, self.world, at)?.0.as_ref().is_some_and(is_mistyped))
-    }
-
-    /// Whether the first member of a chain is not the last one, whatever stands between them.
-    fn ends_are_false(&self, display: usize, reading: &Reading) -> bool {
-        let [Ok(statement)] = reading.statements.as_slice() else { return false };
-        if statement.members.len() < 3 {
-            return false;
-        }
-        let Some(ends) = composed(reading, reading) else { return false };
-        self.unknown(&ends).is_empty() && matches!(self.status(display, &ends).0, Status::False(_))
-    }
-
-    /// The quantities of the student's own in a line of which no line says what they are.
-    fn unknown(&self, reading: &Reading) -> Vec<String> {
-        let model = self.quiet.model;
-        let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
-        let is_used = |id: SymbolId| members().any(|member| member.symbols().iter().any(|(used, _)| *used == id));
-        let own = self.world.declared.iter().filter_map(|name| Some((name, model.symbols.find(name)?.0)));
-        let free = own.filter(|(_, id)| {
-            matches!(model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Varying(_))) && is_used(*id)
-        });
-        free.map(|(name, _)| self.world.in_own_letters(&name.to_string())).collect()
-    }
-
-    /// Whether one likely edit makes a line true.
-    fn is_slip(&self, at: usize) -> Result<bool> {
-        Ok(slip::found(self.run, self.checker, self.world, at)?.0.is_some())
     }
 
     /// What a reading is in the problem, by itself, along its motion, under the hypotheses of its equations, or under
@@ -438,16 +457,6 @@ impl Judge<'_, '_> {
 
     fn along(&self, checker: &Checker<'_>, display: usize, reading: &Reading, claim: &Claim) -> Along {
         self.motion.along((checker, self.world), (display, reading), (claim, !self.details))
-    }
-
-    /// Whether a reading is right to the printed digits, with the numbers that the student gave to the quantities.
-    fn is_rounded(&self, display: usize, reading: &Reading) -> bool {
-        let mut known = self.known.clone();
-        for at in 0..self.world.problem.notes.equations.len() {
-            known.add(&self.quiet.readings[at], false);
-        }
-        let text = &self.quiet.notes.equations[display].text;
-        known.fits(self.quiet, text, reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
     }
 }
 

@@ -1,8 +1,11 @@
 //! Other letters by the form of a line: an equation of the hand-in that is one of the problem but for its letters says what
 //! those letters stand for, however many there are.
 
+use std::collections::HashMap;
+
 use crate::formula::symbols::Name;
 use crate::formula::{Expr, Node, SymbolId, Symbols};
+use crate::latex::rename::renamed_with;
 use crate::latex::{Macros, read_display};
 use crate::source::Span;
 
@@ -29,7 +32,10 @@ pub(super) fn tables(
     define_macros(&problem.notes.macros, &mut own_macros);
     let of_problem = equalities(displays, &mut symbols, &own_macros);
     let mut own = Symbols::open();
-    let written = equalities(lines.iter().map(|line| line.text.as_str()), &mut own, macros);
+    let none = HashMap::new();
+    let texts: Vec<String> =
+        lines.iter().map(|line| renamed_with(&line.text, macros, &none, &line.edits).text).collect();
+    let written = equalities(texts.iter().map(String::as_str), &mut own, macros);
     let other = |pairs: &Pairs| -> Letters {
         let named = pairs.iter().map(|(a, b)| (&own.entry(*a).name, &symbols.entry(*b).name));
         let stands_for = |name: &Name| StandsFor { name: name.clone(), dots: 0 };

@@ -21,13 +21,13 @@ use crate::check::document::setup::{Run, define_macros};
 use crate::check::sample::context::Options;
 use crate::check::unaided::guess::names::{Usage, names_of};
 
-use crate::check::mark::judge::judge;
+use crate::check::mark::judge::{judge, judge_quickly};
 use crate::check::mark::judged::Judged;
 use crate::check::mark::marked::Mark;
 use crate::check::mark::names::{Letters, Names, Role, StandsFor};
 use crate::check::mark::problem::{self, Problem};
 use crate::check::mark::world::World;
-use crate::check::mark::written::{Written, instants, written};
+use crate::check::mark::written::{Written, instants, single_letters, written};
 
 /// The most ways that are tried.
 const WAYS: usize = 60;
@@ -49,15 +49,17 @@ pub(in crate::check::mark) fn best(
     let mut lines = written(notes, &macros);
     instants::without_ohms(&mut lines, &problem.names);
     let instants = instants::named(&mut lines, &problem.names);
+    single_letters::instants(&mut lines, &problem.names, &macros);
+    single_letters::charges(&mut lines, &problem.names);
     let used = usages(notes, &lines, &macros);
     let known = &problem.names;
     let declared = declared(problem, &used);
-    let tried = |table: &Letters, run: &Run<'_>, details: bool| {
-        let world = World::new(run, problem, (notes, &lines, &instants), &with_primes(&used, known, table))?;
-        judge(run, &world, details)
+    let world = |table: &Letters, run: &Run<'_>| {
+        World::new(run, problem, (notes, &lines, &instants), &with_primes(&used, known, table))
     };
     let shown = |table: &Letters| {
-        let mut pairs: Vec<(String, String)> = table.iter().map(|(a, b)| (a.to_string(), b.latex())).collect();
+        let mut pairs: Vec<(String, String)> =
+            table.iter().map(|(a, b)| (single_letters::as_written(&a.to_string()), b.latex())).collect();
         pairs.sort();
         pairs
     };
@@ -65,21 +67,22 @@ pub(in crate::check::mark) fn best(
     let mut best = declared.clone();
     let ways = all_ways(problem, (&lines, &macros), &used, &declared);
     if !ways.is_empty() {
-        let own = tried(&declared, &quick, false)?;
-        let mut score = own.score();
-        let mut is_whole = is_whole(&own);
+        let own = judge_quickly(&quick, &world(&declared, &quick)?, None)?;
+        let mut score = own.as_ref().map_or(i64::MIN, Judged::score);
+        let mut is_whole = own.as_ref().is_some_and(is_whole);
         for way in ways {
             if is_whole {
                 break;
             }
-            let Ok(judged) = tried(&way, &quick, false) else { continue };
+            let judged = world(&way, &quick).and_then(|world| judge_quickly(&quick, &world, Some(score)));
+            let Ok(Some(judged)) = judged else { continue };
             if judged.score() > score {
                 is_whole = self::is_whole(&judged);
                 (score, best) = (judged.score(), way);
             }
         }
     }
-    Ok((tried(&best, run, true)?, shown(&with_primes(&used, known, &best))))
+    Ok((judge(run, &world(&best, run)?)?, shown(&with_primes(&used, known, &best))))
 }
 
 /// The letters, and the names with primes: rates of what varies, where the problem itself has no such names.
@@ -248,7 +251,7 @@ fn options(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> 
     let mut found = Vec::new();
     for (name, role, angle) in &known.names {
         if *role == Role::Moving {
-            let dots = rate(&usage.name, *angle);
+            let dots = rate(&usage.name, name, *angle);
             found.extend(dots.map(|dots| (1, StandsFor { name: name.clone(), dots })));
         }
         // A letter that stands for another quantity leaves its own meaning to others.
@@ -273,9 +276,12 @@ fn alike(a: &Name, b: &Name) -> bool {
     letter(a) == letter(b)
 }
 
-/// The order of the rate that a letter usually stands for: of an angle, or of a length.
-fn rate(name: &Name, angle: bool) -> Option<u8> {
+/// The order of the rate of `of` that a letter usually stands for: of an angle, of a charge, or of a length.
+fn rate(name: &Name, of: &Name, angle: bool) -> Option<u8> {
+    let is_charge = ["q", "Q"].contains(&of.base.as_str());
     match (name.base.as_str(), angle) {
+        // u and w are voltages and works where charges flow.
+        ("u" | "w" | "V" | "a" | "A", false) if is_charge => None,
         ("v" | "u" | "w" | "V", false) | ("\\omega" | "\\Omega" | "w", true) => Some(1),
         ("a" | "A", false) | ("\\alpha" | "\\beta" | "\\varepsilon" | "\\epsilon", true) => Some(2),
         _ => None,

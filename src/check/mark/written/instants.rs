@@ -114,8 +114,9 @@ fn functions(text: &str) -> Vec<String> {
     let mut found = Vec::new();
     for (open, _) in text.match_indices('(') {
         let inside = text[open + 1..].split(')').next().unwrap_or_default().trim();
-        let is_letter =
-            foreign::quantity(inside, 0) == Some(inside.len()) && inside != "t" && instant(inside).is_none();
+        let is_letter = foreign::quantity(inside, 0) == Some(inside.len())
+            && inside.trim_end_matches('\'') != "t"
+            && instant(inside).is_none();
         let starts = text[..open].char_indices().map(|(at, _)| at);
         let name = starts.rev().take(20).filter(|at| foreign::quantity(text, *at) == Some(open)).last();
         if let Some(start) = name.filter(|_| is_letter) {

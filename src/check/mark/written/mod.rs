@@ -1,6 +1,7 @@
 //! The lines of a hand-in: the statements of its displays, the rows of its chains, and the equations in its text.
 
 pub(super) mod instants;
+pub(super) mod single_letters;
 
 use crate::latex::Macros;
 use crate::latex::foreign;
@@ -29,6 +30,8 @@ pub(super) struct Written {
     pub inline: bool,
     /// Whether a word before it says that it is a condition.
     pub is_supposed: bool,
+    /// Whether a word such as "if", close before it, makes it a special case.
+    pub is_if: bool,
     /// Whether "or" stands between it and the line before it.
     pub is_alternative: bool,
     /// Whether the text before it says that something is small.
@@ -106,6 +109,7 @@ pub(super) fn written(notes: &Notes, macros: &Macros) -> Vec<Written> {
                 continues: (statement.from.is_some() && start < found.len()).then_some(start),
                 inline: display.is_none(),
                 is_supposed: is_supposed(text, display.map_or(body.start, |display| display.span.start)),
+                is_if: is_if(text, display.map_or(body.start, |display| display.span.start)),
                 is_alternative: found.last().is_some_and(|before: &Written| {
                     text.get(before.span.end..span.start).is_some_and(foreign::says_or)
                 }),
@@ -115,6 +119,23 @@ pub(super) fn written(notes: &Notes, macros: &Macros) -> Vec<Written> {
         }
     }
     found
+}
+
+/// Words for "if", in some languages.
+const IF: [&str; 24] = [
+    "if", "when", "whenever", "case", "wenn", "falls", "fall", "gdy", "jeśli", "jeżeli", "si", "cuando", "caso",
+    "lorsque", "quand", "cas", "se", "quando", "hvis", "om", "når", "als", "unless", "provided",
+];
+
+/// The number of words before a formula among which "if" is sought.
+const CLOSE: usize = 4;
+
+/// Whether one of the last words before a place, in its sentence, is "if".
+fn is_if(text: &str, at: usize) -> bool {
+    let before = text.get(..at).unwrap_or_default();
+    let sentence = before.rsplit(['.', ';', ':', '=']).next().unwrap_or_default().to_lowercase();
+    let mut words = sentence.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty()).rev().take(CLOSE);
+    words.any(|word| IF.contains(&word))
 }
 
 /// Whether the clause before a place says that what follows is a condition.

@@ -1,0 +1,222 @@
+//! Lines that fail only since a letter has another meaning in the problem, or none that decides: they are left open. What they
+//! say of other things is judged all the same.
+
+use crate::Result;
+use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
+use crate::latex::Reading;
+use crate::notes::claims::Lost;
+use crate::source::Span;
+
+use crate::check::document::checker::Checker;
+use crate::check::mark::given::Implied;
+use crate::check::mark::motion::Motion;
+use crate::check::mark::slip;
+use crate::check::mark::status::{Status, composed};
+use crate::check::mark::written::single_letters;
+use crate::check::model::claim::is_equality;
+use crate::check::model::meaning::Meaning;
+
+use super::Judge;
+
+/// A reading in which each rate of a name has dots: `\frac{dQ}{dt}` is `\dot Q`.
+pub(super) fn with_dots(mut reading: Reading) -> Reading {
+    fn dotted(formula: &mut Expr) {
+        formula.children_mut().into_iter().for_each(dotted);
+        if let Node::TimeDerivative(order, inner) = &formula.node
+            && let Node::Symbol { id, indices, dots } = &inner.node
+        {
+            formula.node = Node::Symbol { id: *id, indices: indices.clone(), dots: dots.saturating_add(*order) };
+        }
+    }
+    reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members).for_each(dotted);
+    reading
+}
+
+/// What moves in the problem, and neither a system nor a law nor the printed motion determines.
+pub(super) fn free_of(checker: &Checker<'_>, motion: &Motion) -> Vec<SymbolId> {
+    let model = checker.model;
+    let laws = || model.laws.iter().flat_map(|law| &law.hypotheses).flat_map(|law| [&law.lhs, &law.rhs]);
+    let is_free = |id: &SymbolId| {
+        matches!(model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)))
+            && model.system.is_none()
+            && !motion.prints(*id)
+            && !laws().any(|side| model.depends_on(side, &[*id]))
+    };
+    model.symbols.iter().map(|(id, _)| id).filter(is_free).collect()
+}
+
+/// The name and the line of a condition that the problem does not meet.
+pub(super) type Break = (SymbolId, String);
+
+/// Whether a statement says that a quantity is 0 that the problem determines otherwise: the text may speak of what comes
+/// later, as of a string that is slack. The quantity.
+pub(super) fn vanishes(checker: &Checker<'_>, statements: &[&Statement]) -> Option<SymbolId> {
+    let [statement] = statements else { return None };
+    let ([first, second], [(relation, _)]) = (statement.members.as_slice(), statement.relations.as_slice()) else {
+        return None;
+    };
+    let name = first.as_plain_symbol().filter(|_| is_equality(*relation) && second.is_null())?;
+    matches!(checker.model.meaning(name), Some(Meaning::Defined(_))).then_some(name)
+}
+
+impl Judge<'_, '_> {
+    /// Whether a name is one that only the hand-in has.
+    pub(super) fn is_own(&self, id: SymbolId) -> bool {
+        let symbols = &self.quiet.model.symbols;
+        self.world.declared.contains(&symbols.entry(id).name)
+    }
+
+    /// Whether a line says no more than what a quantity of the student's own is.
+    pub(super) fn gives(&self, display: usize, reading: &Reading, implied: &Implied) -> bool {
+        let is_short = reading.statements.iter().flatten().all(|statement| statement.members.len() == 2);
+        is_short || matches!(self.status(display, &implied.applied(reading.clone())).0, Status::Holds(_))
+    }
+
+    /// Whether a line that does not hold may be true, since it has quantities of the student's own of which no line says what
+    /// they are: then only a symbol in the place of
+    /// another one shows that it is false.
+    pub(super) fn leaves_open(&self, at: usize, reading: &Reading) -> Result<bool> {
+        let is_mistyped = |edit: &slip::Corrected| edit.slip.lost == Lost::Symbol;
+        let is_open = !self.unknown(reading).is_empty();
+        Ok(is_open && !slip::found(self.run, self.checker, self.world, at)?.0.as_ref().is_some_and(is_mistyped))
+    }
+
+    /// Whether the first member of a chain is not the last one, whatever stands between them.
+    pub(super) fn ends_are_false(&self, display: usize, reading: &Reading) -> bool {
+        let [Ok(statement)] = reading.statements.as_slice() else { return false };
+        if statement.members.len() < 3 {
+            return false;
+        }
+        let Some(ends) = composed(reading, reading) else { return false };
+        self.unknown(&ends).is_empty() && matches!(self.status(display, &ends).0, Status::False(_))
+    }
+
+    /// The quantities of the student's own in a line of which no line says what they are.
+    pub(super) fn unknown(&self, reading: &Reading) -> Vec<String> {
+        let model = self.quiet.model;
+        let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        let is_used = |id: SymbolId| members().any(|member| member.symbols().iter().any(|(used, _)| *used == id));
+        let own = self.world.declared.iter().filter_map(|name| Some((name, model.symbols.find(name)?.0)));
+        let free = own.filter(|(_, id)| {
+            matches!(model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Varying(_))) && is_used(*id)
+        });
+        free.map(|(name, _)| self.world.in_own_letters(&name.to_string())).collect()
+    }
+
+    /// Whether one likely edit makes a line true.
+    pub(super) fn is_slip(&self, at: usize) -> Result<bool> {
+        Ok(slip::found(self.run, self.checker, self.world, at)?.0.is_some())
+    }
+
+    /// Whether a statement is an equality between constants of the problem, as a special case is.
+    pub(super) fn relates_constants(&self, statement: &Statement) -> bool {
+        let is_constant = |(id, dots): &(SymbolId, u8)| {
+            *dots == 0 && matches!(self.quiet.model.meaning(*id), Some(Meaning::Constant(_))) && !self.is_own(*id)
+        };
+        let symbols: Vec<(SymbolId, u8)> = statement.members.iter().flat_map(Expr::symbols).collect();
+        let is_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
+        is_equal && statement.members.len() == 2 && !symbols.is_empty() && symbols.iter().all(is_constant)
+    }
+
+    /// Why a false line may be true with another meaning of its letters; `None`, if it says something false beside that.
+    pub(super) fn another_meaning(&self, display: usize, reading: &Reading) -> Option<String> {
+        let mut why = None;
+        // Each link alone: what it says of quantities that are known must hold.
+        for statement in reading.statements.iter().flatten() {
+            for (pair, relation) in statement.members.windows(2).zip(&statement.relations) {
+                let found = self.open_link(pair).or_else(|| self.after_a_break(pair));
+                if found.is_some() {
+                    why = found;
+                    continue;
+                }
+                let alone = Statement { members: pair.to_vec(), relations: vec![*relation], ..statement.clone() };
+                if let Status::False(_) = self.status(display, &alone_of(alone.clone())).0 {
+                    why = Some(self.holds_somewhere(display, alone)?);
+                }
+            }
+        }
+        why
+    }
+
+    /// A reading in which t is the time that runs, also where it was taken for an instant.
+    pub(super) fn with_running_time(&self, reading: &Reading) -> Reading {
+        let symbols = &self.quiet.model.symbols;
+        let time =
+            symbols.iter().map(|(id, _)| id).find(|id| matches!(self.quiet.model.meaning(*id), Some(Meaning::Time)));
+        let mut reading = reading.clone();
+        let Some(time) = time else { return reading };
+        for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+            member.rename(&|id| if single_letters::is_instant(&symbols.entry(id).name) { time } else { id });
+        }
+        reading
+    }
+
+    /// Why a link says nothing of what the problem determines.
+    fn open_link(&self, pair: &[Expr]) -> Option<String> {
+        let model = self.quiet.model;
+        let moving = self.moving();
+        let is_fixed = |id: SymbolId| {
+            matches!(model.meaning(id), Some(Meaning::Constant(_) | Meaning::Defined(_)))
+                && !model.depends_on(&symbol(id), &moving)
+                && !self.is_own(id)
+        };
+        let symbols = || pair.iter().flat_map(Expr::symbols);
+        let is_instant = |id: SymbolId| single_letters::is_instant(&model.symbols.entry(id).name);
+        if symbols().any(|(id, _)| is_instant(id)) {
+            return Some("t is an instant here, and this may be another one".to_owned());
+        }
+        if let Some((id, _)) = symbols().find(|(id, dots)| *dots > 0 && is_fixed(*id)) {
+            return Some(format!("{} is constant in the problem, and changes here", self.shown(id)));
+        }
+        let open = self.open.iter().filter(|id| pair.iter().any(|side| model.depends_on(side, &[**id])));
+        let names: Vec<String> = open.map(|id| self.shown(*id)).collect();
+        (!names.is_empty()).then(|| format!("nothing in the problem says how {} moves", names.join(", ")))
+    }
+
+    /// Why a link is not judged after a condition that the problem does not meet: what moves may then move in another way.
+    fn after_a_break(&self, pair: &[Expr]) -> Option<String> {
+        let (_, name) = self.breaks.last()?;
+        let names = self.moving().into_iter().chain(self.breaks.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
+        let is_about = pair.iter().any(|side| self.quiet.model.depends_on(side, &names));
+        is_about.then(|| format!("{name} says what the problem does not, and this may follow from it"))
+    }
+
+    /// Why an inequality between quantities of the problem is not false: it holds for some values of them.
+    fn holds_somewhere(&self, display: usize, statement: Statement) -> Option<String> {
+        let [(relation, place)] = statement.relations.as_slice() else { return None };
+        let opposite = match relation {
+            Relation::Less | Relation::LessEqual => Relation::Greater,
+            Relation::Greater | Relation::GreaterEqual => Relation::Less,
+            _ => return None,
+        };
+        let relations = vec![(opposite, *place)];
+        let other = alone_of(Statement { relations, ..statement });
+        let fails = matches!(self.status(display, &other).0, Status::False(_));
+        fails.then(|| {
+            "it holds for some values of the quantities, and the problem does not say which they have".to_owned()
+        })
+    }
+
+    /// What changes with time in the problem.
+    fn moving(&self) -> Vec<SymbolId> {
+        let model = self.quiet.model;
+        let all = model.symbols.iter().map(|(id, _)| id);
+        all.filter(|id| {
+            let meaning = model.meaning(*id);
+            matches!(meaning, Some(Meaning::Coordinate(_) | Meaning::Varying(_) | Meaning::Time | Meaning::System(_)))
+        })
+        .collect()
+    }
+
+    fn shown(&self, id: SymbolId) -> String {
+        self.world.in_own_letters(&self.quiet.model.name(id))
+    }
+}
+
+fn alone_of(statement: Statement) -> Reading {
+    Reading { statements: vec![Ok(statement)], introduced: Vec::new() }
+}
+
+fn symbol(id: SymbolId) -> Expr {
+    Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default())
+}

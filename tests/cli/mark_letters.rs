@@ -1,0 +1,156 @@
+//! `onshell mark`, where a line fails only since a letter means something else in the problem, or since nothing there decides:
+//! it is not wrong. Beside each such line stands one that is.
+
+use crate::support::Desk;
+
+/// The marks of the lines of a hand-in.
+fn marks(name: &str, (notes, claims): (&str, &str), lines: &str) -> Vec<String> {
+    let desk = Desk::new(&format!("mark-letters-{name}"));
+    desk.write("p.md", notes);
+    desk.write("p.json", claims);
+    desk.write("one.md", lines);
+    let run = desk.onshell(&["mark", "one.md", "--claims", "p.json", "--format", "json"]);
+    let report = run.json();
+    let rows = report["rows"].as_array().unwrap().iter().filter(|row| !row["line"].is_null());
+    rows.map(|row| row["mark"].as_str().unwrap().to_owned()).collect()
+}
+
+/// A capacitor that is charged through a resistor.
+const CHARGING: (&str, &str) = (
+    "$$ R \\dot Q + \\frac QC = U_0 \\tag{1} $$\n\n$$ Q = C U_0 \\left( 1 - e^{-t/(RC)} \\right) \\tag{2} $$\n\n\
+     $$ I = \\frac{U_0}{R} e^{-t/(RC)} \\tag{3} $$\n\n$$ t_h = R C \\ln 2 \\tag{4} $$\n\n\
+     $$ W = \\int_0^\\infty R I^2 \\, dt = \\frac12 C U_0^2 \\tag{5} $$\n",
+    r#"{ "notes": "p.md", "coordinates": { "Q": "any" }, "constants": { "R, C, U_0": "> 0" },
+        "laws": { "the voltages": "1" }, "rubric": { "results": { "2": 1, "4": 1, "5": 1 } } }"#,
+);
+
+/// Two blocks on a string. The text alone says that a is the acceleration.
+const BLOCKS: (&str, &str) = (
+    "The blocks have moved by $x$, and $a = \\ddot x$.\n\n$$ a = \\frac{m_2 - \\mu m_1}{m_1 + m_2} g \\tag{3} $$\n\n\
+     $$ T = m_2 (g - a) \\tag{1} $$\n\n$$ m_1 a = T - \\mu m_1 g \\tag{2} $$\n\n\
+     $$ v^2 = \\frac{2 g h}{m_1 + m_2} (m_2 - \\mu m_1) \\tag{4} $$\n",
+    r#"{ "notes": "p.md", "coordinates": { "x": "any" }, "constants": { "m_1, m_2, g, h, \\mu": "> 0" },
+        "rubric": { "results": { "3": 1, "4": 1 } } }"#,
+);
+
+#[test]
+fn a_constant_of_integration_has_the_value_that_the_start_gives_it() {
+    let of = |name: &str, value: &str| {
+        let lines = format!(
+            "$$ CU_0 - Q = A e^{{\\lambda t}} $$\n\n$$ \\lambda = -\\frac{{1}}{{RC}} $$\n\n\
+             $$ CU_0 - Q(0) = A = {value} $$\n"
+        );
+        marks(name, CHARGING, &lines)[2].clone()
+    };
+    assert_ne!(of("start", "CU_0"), "wrong");
+    // The twin: another value.
+    assert_eq!(of("start-wrong", "2CU_0"), "wrong");
+}
+
+#[test]
+fn constants_that_are_defined_by_one_another_keep_their_meaning() {
+    let of = |name: &str, value: &str| {
+        let lines = format!(
+            "$$ \\frac{{dQ}}{{dt}} = \\frac{{CU_0 - Q}}{{RC}} $$\n\n\
+             $$ Q \\equiv CU_0 \\quad\\text{{or}}\\quad \\frac{{dQ}}{{CU_0 - Q}} = \\frac{{dt}}{{RC}} $$\n\n\
+             $$ -\\ln|CU_0 - Q| = \\frac{{t}}{{RC}} + c_1 $$\n\n\
+             $$ CU_0 - Q = c_2e^{{-t/(RC)}}, \\qquad c_2 = \\pm e^{{-c_1}} $$\n\n\
+             $$ CU_0 - 0 = c_2\\cdot {value} $$\n"
+        );
+        marks(name, CHARGING, &lines)
+    };
+    let right = of("integrated", "1");
+    assert!(!right.contains(&"wrong".to_owned()) && !right.contains(&"carried".to_owned()), "{right:?}");
+    // The twin: twice the value.
+    assert_eq!(of("integrated-wrong", "2").last().unwrap(), "wrong");
+}
+
+#[test]
+fn a_value_at_an_instant_is_known_inside_of_definitions() {
+    let of = |name: &str, value: &str| {
+        marks(name, CHARGING, &format!("$$ I(t) = \\dot Q =: I_0 e^{{-t/(RC)}} $$\n\n$$ I_0 = I(0) = {value} $$\n"))
+    };
+    let right = of("instant", "\\frac{U_0}{R}");
+    assert!(!right.contains(&"wrong".to_owned()), "{right:?}");
+    assert_eq!(of("instant-wrong", "\\frac{2U_0}{R}")[1], "wrong");
+}
+
+#[test]
+fn what_is_constant_in_the_problem_and_changes_in_a_line_is_another_quantity() {
+    assert_eq!(marks("heat", CHARGING, "$$ dW = RI^2\\,dt $$\n"), ["undecided"]);
+    // The twin: a rate of what changes there too.
+    assert_eq!(marks("rate", CHARGING, "$$ dQ = 2I\\,dt $$\n"), ["wrong"]);
+}
+
+#[test]
+fn the_text_of_a_problem_may_name_the_acceleration() {
+    let of = |name: &str, factor: &str| {
+        marks(name, BLOCKS, &format!("$$ m_1\\ddot x = T - {factor} \\mu m_1 g $$\n\n$$ T = m_2g - m_2\\ddot x $$\n"))
+    };
+    assert_eq!(of("named", "")[0], "right");
+    assert_eq!(of("named-wrong", "2")[0], "wrong");
+    // Without it nothing says how x moves, and no line about it is wrong.
+    let silent = (BLOCKS.0.replace("and $a = \\ddot x$", "to the right"), BLOCKS.1);
+    let lines = "$$ m_1\\ddot x = T - 2 \\mu m_1 g $$\n\n$$ T = \\frac{m_1 m_2 g}{m_1 + m_2} $$\n";
+    let found = marks("silent", (&silent.0, silent.1), lines);
+    assert_ne!(found[0], "wrong");
+    assert_eq!(found[1], "wrong");
+}
+
+#[test]
+fn the_time_is_an_instant_in_a_line_about_constants() {
+    let found = marks("time", BLOCKS, "$$ h = \\frac12at^2, \\qquad v = at $$\n\n$$ v = \\sqrt{ah} $$\n");
+    assert!(found[..2].iter().all(|mark| mark != "wrong"), "{found:?}");
+    // The twin needs no time.
+    assert_eq!(found[2], "wrong");
+}
+
+#[test]
+fn after_a_condition_that_the_problem_does_not_meet_nothing_about_the_motion_is_wrong() {
+    let of = |name: &str, before: &str| {
+        marks(
+            name,
+            BLOCKS,
+            &format!("{before}\n\n$$ m_1\\ddot x = -\\mu m_1g $$\n\n$$ \\frac{{m_2}}{{m_1 + m_2}} = m_1 $$\n"),
+        )
+    };
+    let found = of("slack", "After the landing ($T = 0$):");
+    assert_eq!(found[1..], ["undecided", "wrong"]);
+    // The twin: no such condition.
+    assert_eq!(of("taut", "Then:")[0], "wrong");
+}
+
+#[test]
+fn a_condition_between_constants_is_given_where_a_word_says_so() {
+    assert_eq!(marks("if", BLOCKS, "If $m_1 = m_2$ then\n\n$$ a = \\frac{1 - \\mu}{2} g $$\n"), ["given", "right"]);
+    assert_eq!(marks("if-product", BLOCKS, "when $m_2 g = 2 m_1 g$:\n\n$$ a = \\frac{2 - \\mu}{3} g $$\n")[1], "right");
+    // The twins: nobody says that it is one; and what does not follow.
+    assert_eq!(marks("bare", BLOCKS, "$$ m_1 = m_2 $$\n\n$$ h = v $$\n")[0], "undecided");
+    assert_eq!(marks("if-wrong", BLOCKS, "If $m_1 = m_2$ then\n\n$$ a = \\frac{1 - \\mu}{3} g $$\n")[1], "wrong");
+}
+
+#[test]
+fn a_rounded_factor_is_right_to_its_digits() {
+    assert_eq!(marks("digits", CHARGING, "$$ t_h = RC\\ln2 \\approx 0{,}69\\,RC $$\n"), ["right"]);
+    assert_ne!(marks("digits-wrong", CHARGING, "$$ t_h = RC\\ln2 \\approx 0{,}96\\,RC $$\n"), ["right"]);
+    let numbers = "With $R = 2\\,\\text{k}\\Omega$ and $C = 3\\,\\text{mF}$\n\n$$ t_h = 4{,}16\\,\\text{s} $$\n";
+    assert_eq!(marks("numbers", CHARGING, numbers).last().unwrap(), "right");
+    assert_eq!(marks("numbers-wrong", CHARGING, &numbers.replace("16", "61")).last().unwrap(), "wrong");
+}
+
+#[test]
+fn an_inequality_that_the_problem_leaves_open_is_not_wrong() {
+    assert_eq!(marks("less", BLOCKS, "$$ m_1 g - T < 0 $$\n"), ["undecided"]);
+    // The twin never holds.
+    assert_eq!(marks("never", BLOCKS, "$$ m_1 + m_2 < 0 $$\n"), ["wrong"]);
+}
+
+#[test]
+fn e_is_a_charge_where_no_power_of_it_stands() {
+    let problem = (
+        "$$ F = q E \\tag{1} $$\n\n$$ W = q E d \\tag{2} $$\n",
+        r#"{ "notes": "p.md", "constants": { "q, E, d": "> 0" }, "rubric": { "results": { "1": 1, "2": 1 } } }"#,
+    );
+    assert_eq!(marks("charge", problem, "$$ F = e E $$\n\n$$ W = e E d $$\n"), ["right", "right"]);
+    assert_eq!(marks("charge-wrong", problem, "$$ F = e E $$\n\n$$ W = 2 e E d $$\n"), ["right", "wrong"]);
+}
