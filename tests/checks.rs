@@ -57,6 +57,8 @@ mod sizes;
 mod small;
 #[path = "checks/solutions_of_laws.rs"]
 mod solutions_of_laws;
+#[path = "checks/steady.rs"]
+mod steady;
 #[path = "checks/steps.rs"]
 mod steps;
 #[path = "checks/symmetries.rs"]

@@ -324,6 +324,15 @@ impl Checker<'_> {
             }
             return if into.len() > before { Ok(()) } else { Err(self.no_equation(latex)) };
         }
+        if self.is_small(&latex.value) {
+            return Ok(());
+        }
+        if let Some(text) = self.without_start(&latex.value) {
+            let at_once = |text: &str| Spanned::new(text.to_owned(), latex.span);
+            let time = self.model.symbols.time.as_ref().map_or_else(|| "t".to_owned(), ToString::to_string);
+            self.hypothesis(&at_once(&format!("{time} = 0")), throughout, into)?;
+            return self.hypothesis(&at_once(&text), throughout, into);
+        }
         let statements = self.statements(latex).map_err(|error| {
             let names = self.claims.conditions.iter().map(|(name, _)| name.value.as_str());
             match suggest::nearest(&latex.value, names) {

@@ -67,10 +67,9 @@ pub(crate) fn read_all(
     pending.define_what_is_ready(model);
     let prose = Prose::of(notes);
     loop {
-        let mut progress = true;
-        while progress {
-            progress = false;
-            for at in 0..readings.len() {
+        let mut read_some = |of_a_case: bool, model: &mut Model| {
+            let mut progress = false;
+            for at in (0..readings.len()).filter(|at| is_of_a_case(assigned[*at]) == of_a_case) {
                 if progress && notes.added_from == Some(at) {
                     break;
                 }
@@ -82,7 +81,9 @@ pub(crate) fn read_all(
                     }
                 }
             }
-        }
+            progress
+        };
+        while read_some(false, model) || read_some(true, model) {}
         // A display with a fault of its own still defines the names that can be read in it.
         let unread: Vec<(usize, Symbols, Reading)> = (0..readings.len())
             .filter(|at| readings[*at].is_none())
@@ -138,6 +139,11 @@ pub(crate) fn read_all(
     }
     assemble_families(model);
     Ok(readings.into_iter().map(Option::unwrap_or_default).collect())
+}
+
+/// Whether a claim is about a special case. What a display says of a name there defines it only if no other display does.
+fn is_of_a_case(claim: Option<&Claim>) -> bool {
+    claim.is_some_and(|claim| !claim.assume.is_empty() || !claim.throughout.is_empty())
 }
 
 /// Makes a family of symbols from members that are all declared: λ_a from λ₁, λ₂, λ₃. The claims file may then name the

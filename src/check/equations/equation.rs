@@ -161,7 +161,13 @@ impl Checker<'_> {
     }
 
     /// Every statement of a reading, judged under one claim.
-    fn parts_under(
+    fn parts_under(&self, place: (usize, usize), reading: &Reading, claim: &Claim, topic: &str) -> Result<Vec<Part>> {
+        let parts = self.parts_at_an_instant(place, reading, claim, topic)?;
+        self.if_it_lasts(parts, claim, |lasting| self.parts_at_an_instant(place, reading, lasting, topic))
+    }
+
+    /// The same, with each hypothesis as the claim has it.
+    fn parts_at_an_instant(
         &self,
         (display, offset): (usize, usize),
         reading: &Reading,
@@ -319,6 +325,8 @@ impl Checker<'_> {
             if let (0, Some(first)) = (at, introduced.iter().find(|introduced| introduced.member == 0)) {
                 if last && !says_more {
                     findings.push(self.definition(first, context)?);
+                } else if let Some(finding) = self.declared_frequency(first, context)? {
+                    findings.push(finding);
                 }
                 continue;
             }
@@ -342,6 +350,9 @@ impl Checker<'_> {
             let (from, context) = (statement.members[at].span, place);
             let solution = self.solution(&link, at, claim);
             let finding = match relation {
+                Relation::Equal if self.starts(claim) => {
+                    self.from_its_start(&link, solution.as_ref(), claim, &context)?
+                }
                 _ if solution.is_some() => match &solution {
                     Some(solution) => self.of_the_motion(solution, &context)?,
                     None => identity::check(&link, &context)?,
@@ -368,6 +379,7 @@ impl Checker<'_> {
                 // A fit of single terms needs one equation: not two by ±, and none with dropped terms.
                 _ if statement.branch.is_none() && claim.dropping.is_none() => {
                     let found = self.along_the_motion(&link, identity::check(&link, &context)?, &context)?;
+                    let found = self.in_first_order(&link, found, claim, &context)?;
                     term_fit::fitted(&link, &context, found)
                 }
                 _ => identity::check(&link, &context)?,

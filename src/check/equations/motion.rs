@@ -4,14 +4,16 @@ use crate::Result;
 use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, SymbolId, text};
 use crate::latex::Reading;
-use crate::notes::claims::Claim;
+use crate::notes::claims::{Claim, Spanned};
 
 use crate::check::document::checker::Checker;
+use crate::check::document::inferred::prose;
 use crate::check::document::names::shown;
 use crate::check::judge::identity;
+use crate::check::kinds::initial_values;
 use crate::check::kinds::mechanics::same_motion;
 use crate::check::kinds::printed_solution::Solution;
-use crate::check::kinds::solution;
+use crate::check::kinds::{small, solution};
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::{Context, Options};
@@ -19,6 +21,7 @@ use crate::check::sample::outcome::run;
 use crate::check::sample::setting::FEWEST;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
+use crate::check::verdict::report::Part;
 
 impl Checker<'_> {
     /// The solution that the first link of a statement prints, if nothing else is claimed of it.
@@ -184,9 +187,119 @@ impl Checker<'_> {
         Ok(found.verdict.holds().then_some(found))
     }
 
-    /// The finding that a link holds if a coordinate keeps the value that a hypothesis gives it, where it does. A hypothesis is
-    /// about one instant; a place or a cone on which the motion stays is often meant.
-    fn if_it_lasts(&self, link: &Link, context: &Context<'_>) -> Result<Option<Finding>> {
+    /// Whether a hypothesis, or a condition by its name, gives initial values, as x(0) = x_0 does.
+    fn is_start(&self, latex: &Spanned<String>) -> bool {
+        let named = self.claims.conditions.iter().find(|(name, _)| name.value == latex.value);
+        let is_one = |latex: &Spanned<String>| self.without_start(&latex.value).is_some();
+        named.map_or_else(|| is_one(latex), |(_, all)| all.iter().any(is_one))
+    }
+
+    /// The text of a hypothesis without the (0) after coordinates and their rates, which is said of the time 0; `None`, if it has none.
+    pub(crate) fn without_start(&self, latex: &str) -> Option<String> {
+        let mut text = latex.to_owned();
+        for coordinate in &self.model.coordinates {
+            let name = self.model.name(coordinate.symbol);
+            for applied in [format!("{name}(0)"), format!("{{{name}}}(0)")] {
+                while let Some(at) = text.find(&applied) {
+                    let before = text[..at].chars().next_back();
+                    let is_part = before.is_some_and(|c| c == '_' || c.is_alphanumeric() && !name.starts_with('\\'));
+                    if is_part && !text[..at].ends_with("\\dot") {
+                        return None;
+                    }
+                    let end = at + applied.len();
+                    text.replace_range(end - "(0)".len()..end, "");
+                }
+            }
+        }
+        (text != latex).then_some(text)
+    }
+
+    /// Whether a hypothesis says that the motion is a small oscillation, so that equations hold to first order.
+    pub(crate) fn is_small(&self, latex: &str) -> bool {
+        latex.trim_start().starts_with("small oscillations")
+    }
+
+    /// The finding on an equation that was refuted and holds to first order in all coordinates about 0, where the claim or the words
+    /// before the display say so: a linearised equation is often printed with =.
+    ///
+    /// # Errors
+    /// When the system's mass matrix is singular.
+    pub(crate) fn in_first_order(
+        &self,
+        link: &Link,
+        found: Finding,
+        claim: &Claim,
+        context: &Context<'_>,
+    ) -> Result<Finding> {
+        if found.verdict != Verdict::Refuted || self.options.deduction || self.model.system.is_none() {
+            return Ok(found);
+        }
+        let said = |latex: &Spanned<String>| {
+            let named = self.claims.conditions.iter().find(|(name, _)| name.value == latex.value);
+            let text = named.map_or(Some(&latex.value), |(_, all)| all.first().map(|latex| &latex.value));
+            text.filter(|text| self.is_small(text)).cloned()
+        };
+        let said = claim.assume.iter().chain(&claim.throughout).find_map(said);
+        // About another place the coordinates themselves are not small.
+        let is_zero = |value: &str| value.split(',').next().is_some_and(|value| value.trim() == "0");
+        if said.as_ref().is_some_and(|said| !said.split('=').skip(1).all(is_zero)) {
+            let message = "does not hold exactly, and about this place it was not tried to first order";
+            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+        }
+        if said.is_none() && !prose::speaks_of_small(self.notes, context.span) {
+            return Ok(found);
+        }
+        let small: Vec<Expr> = self
+            .model
+            .coordinates
+            .iter()
+            .map(|q| Expr::new(Node::Symbol { id: q.symbol, indices: Vec::new(), dots: 0 }, link.lhs.span))
+            .collect();
+        let close = Link { relation: Relation::Approximately, ..link.clone() };
+        let linear = small::check(&close, &small, 1, context)?;
+        Ok(match linear.verdict.holds() {
+            true => Finding {
+                message: format!("holds to first order in the coordinates about 0; {}", linear.message),
+                ..linear
+            },
+            false => found,
+        })
+    }
+
+    /// Whether a claim is about a motion that starts with given values.
+    pub(crate) fn starts(&self, claim: &Claim) -> bool {
+        claim.assume.iter().any(|latex| self.is_start(latex))
+    }
+
+    /// The finding on an equation of a motion that starts as the claim says: a solution must also solve the equations of motion.
+    pub(crate) fn from_its_start(
+        &self,
+        link: &Link,
+        solution: Option<&Solution>,
+        claim: &Claim,
+        context: &Context<'_>,
+    ) -> Result<Finding> {
+        let found = initial_values::check(link, context)?;
+        let Some(solution) = solution.filter(|_| found.verdict.holds()) else { return Ok(found) };
+        let rest = claim.assume.iter().filter(|latex| !self.is_start(latex)).cloned().collect();
+        let hypotheses = self.hypotheses(&Claim { assume: rest, ..claim.clone() })?;
+        let solves = self.of_the_motion(solution, &Context { hypotheses: &hypotheses, ..*context })?;
+        // Some formulas are solutions for these initial values only.
+        Ok(match solves.verdict.holds() {
+            true => Finding { message: format!("{}, and starts as it should", solves.message), ..solves },
+            false => found,
+        })
+    }
+
+    /// The same claim with the hypotheses at all times that put a coordinate in a place, θ = θ_0, and those beside them; `None`
+    /// if there are none. A hypothesis is about one instant; a place or a cone on which the motion stays is often meant.
+    ///
+    /// # Errors
+    /// For a hypothesis that cannot be read.
+    pub(crate) fn lasting(&self, claim: &Claim) -> Result<Option<Claim>> {
+        if self.options.deduction || claim.assume.is_empty() || !self.model.has_motion() {
+            return Ok(None);
+        }
         let is_coordinate = |side: &Expr| side.as_plain_symbol().is_some_and(|id| self.model.is_coordinate(id));
         let is_constant = |side: &Expr| {
             let is_one = |(id, _): &(SymbolId, u8)| matches!(self.model.meaning(*id), Some(Meaning::Constant(_)));
@@ -195,31 +308,64 @@ impl Checker<'_> {
         let is_place = |hypothesis: &Hypothesis| {
             let (a, b) = (&hypothesis.lhs, &hypothesis.rhs);
             hypothesis.relation == Relation::Equal
-                && !hypothesis.throughout
                 && (is_coordinate(a) && is_constant(b) || is_coordinate(b) && is_constant(a))
         };
-        if !context.options.explain || context.options.deduction {
-            return Ok(None);
+        let of_all = self.hypotheses(&Claim::default())?.len();
+        let (mut lasting, mut passing, mut has_letter) = (claim.throughout.clone(), Vec::new(), false);
+        for latex in &claim.assume {
+            if self.is_start(latex) {
+                passing.push(latex.clone());
+                continue;
+            }
+            let alone = Claim { assume: vec![latex.clone()], ..Claim::default() };
+            let hypotheses = self.hypotheses(&alone)?;
+            let places: Vec<&Hypothesis> = hypotheses.iter().skip(of_all).filter(|known| is_place(known)).collect();
+            has_letter |= places.iter().any(|known| known.lhs.symbols().len() + known.rhs.symbols().len() > 1);
+            match places.is_empty() {
+                false => lasting.push(latex.clone()),
+                true => passing.push(latex.clone()),
+            }
         }
-        let Some(place) = context.hypotheses.iter().find(|hypothesis| is_place(hypothesis)) else { return Ok(None) };
-        let lasting: Vec<Hypothesis> = context
-            .hypotheses
-            .iter()
-            .map(|hypothesis| Hypothesis {
-                throughout: hypothesis.throughout || is_place(hypothesis),
-                ..hypothesis.clone()
-            })
-            .collect();
-        let on_it = Context { hypotheses: &lasting, ..context.quick() };
-        if !identity::check(link, &on_it)?.verdict.holds() {
-            return Ok(None);
+        // "At the lowest point, θ = 0" is an instant; a place with a letter of its own is one that was chosen so that the motion stays there.
+        let is_changed = lasting.len() > claim.throughout.len() && has_letter;
+        Ok(is_changed.then(|| Claim { assume: passing, throughout: lasting, ..claim.clone() }))
+    }
+
+    /// The parts of a display, of which those that fail at the instant of the hypotheses are replaced where they hold if a
+    /// coordinate keeps the value that a hypothesis gives it.
+    ///
+    /// # Errors
+    /// As for a check of the display.
+    pub(crate) fn if_it_lasts(
+        &self,
+        mut parts: Vec<Part>,
+        claim: &Claim,
+        judge: impl FnOnce(&Claim) -> Result<Vec<Part>>,
+    ) -> Result<Vec<Part>> {
+        let fails = |part: &Part| part.finding.verdict == Verdict::Refuted;
+        if claim.expect.is_some() || !parts.iter().any(fails) {
+            return Ok(parts);
         }
-        let (lhs, rhs) =
-            (text::formula(&place.lhs, &self.model.symbols), text::formula(&place.rhs, &self.model.symbols));
-        let message = format!(
-            "fails at an instant at which {lhs} = {rhs}, and holds while it stays so; if that is meant, put the condition under \"throughout\""
-        );
-        Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message)))
+        let Some(lasting) = self.lasting(claim)? else { return Ok(parts) };
+        let lasts = |part: Part| {
+            let message = format!(
+                "{}; this is so while the coordinate stays where the hypothesis puts it, and not at any instant",
+                part.finding.message
+            );
+            Part { finding: Finding { message, ..part.finding }, ..part }
+        };
+        let found = judge(&lasting)?;
+        // A chain has a part for each mistake.
+        if found.len() != parts.len() {
+            let holds = found.iter().all(|part| part.finding.verdict.passes());
+            return Ok(if holds { found.into_iter().map(lasts).collect() } else { parts });
+        }
+        for (part, other) in parts.iter_mut().zip(found) {
+            if fails(part) && other.finding.verdict.holds() {
+                *part = lasts(other);
+            }
+        }
+        Ok(parts)
     }
 
     /// What a link is that was refuted: an orbit of the motion, or an equation that holds along a printed solution; else the same
@@ -233,9 +379,6 @@ impl Checker<'_> {
         }
         if let Some(orbit) = solution::orbit(link, context)? {
             return Ok(orbit);
-        }
-        if let Some(lasting) = self.if_it_lasts(link, context)? {
-            return Ok(lasting);
         }
         let mut beside = self.solutions_beside(None, context);
         if self.model.system.is_none() {

@@ -17,7 +17,7 @@ use crate::check::equations::definition_tests::Use;
 use crate::check::kinds::definitions;
 use crate::check::kinds::definitions::User;
 use crate::check::kinds::identified;
-use crate::check::kinds::mechanics::modes;
+use crate::check::kinds::mechanics::{modes, steady};
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::meaning::Meaning;
 use crate::check::model::sampling::Spread;
@@ -46,6 +46,9 @@ impl Checker<'_> {
         if let Some(finding) = self.mode(introduced.symbol, &introduced.formula, context)? {
             return Ok(finding);
         }
+        if let Some(finding) = self.declared_frequency(introduced, context)? {
+            return Ok(finding);
+        }
         let (uses, restated) = self.uses(introduced)?;
         let approximations = ApproximateUses::of(self, symbol)?;
         let whole = self.whole_displays(introduced)?.without(&restated);
@@ -63,7 +66,87 @@ impl Checker<'_> {
         let by_law = self.uses_by_law(introduced)?;
         let mut users: Vec<User<'_>> = uses.iter().map(|used| used.by(context)).collect();
         let by_law: Vec<User<'_>> = by_law.iter().map(|used| used.by(context)).collect();
-        definitions::check(symbol, &introduced.formula, (&mut users, &by_law, &[&approximations, &whole]), context)
+        let found = definitions::check(
+            symbol,
+            &introduced.formula,
+            (&mut users, &by_law, &[&approximations, &whole]),
+            context,
+        )?;
+        match found.verdict == Verdict::Undecided {
+            true => Ok(self.inferred_frequency(introduced, context)?.unwrap_or(found)),
+            false => Ok(found),
+        }
+    }
+
+    /// The finding on a name that the claims file says is the frequency of small oscillations about a place.
+    pub(crate) fn declared_frequency(
+        &self,
+        introduced: &DefinedSymbol,
+        context: &Context<'_>,
+    ) -> Result<Option<Finding>> {
+        let name = &self.model.symbols.entry(introduced.symbol).name;
+        let Some(frequency) = self.model.frequencies.iter().find(|frequency| frequency.name == *name) else {
+            return Ok(None);
+        };
+        let place = match &frequency.about {
+            Some(about) => self.hypotheses(&Claim { throughout: vec![about.clone()], ..Claim::default() })?,
+            None => Vec::new(),
+        };
+        let found = steady::check(&self.squared(introduced), &place, context)?;
+        let unsupported = "the frequency of small oscillations cannot be formed here";
+        Ok(Some(found.unwrap_or_else(|| context.finding(Code::NotSupported, Verdict::Undecided, unsupported))))
+    }
+
+    /// The finding on a name that nothing else tests and that is the frequency of small oscillations, or their period, where the
+    /// hypotheses put the coordinates, or where they are 0; `None` if it is neither.
+    fn inferred_frequency(&self, introduced: &DefinedSymbol, context: &Context<'_>) -> Result<Option<Finding>> {
+        let model = self.model;
+        // A name that moves may have this value in the place, as an energy that is 0 there.
+        let moving: Vec<SymbolId> = model.coordinates.iter().chain(&model.varying).map(|known| known.symbol).collect();
+        let is_fixed = !model.depends_on(&introduced.formula, &moving) && !model.contains_time(&introduced.formula);
+        if !is_fixed || self.options.deduction || model.symbols.entry(introduced.symbol).kind != Kind::Scalar {
+            return Ok(None);
+        }
+        let about = |known: &&Hypothesis| {
+            let symbols = known.lhs.symbols().into_iter().chain(known.rhs.symbols());
+            symbols.into_iter().any(|(id, _)| model.is_coordinate(id))
+        };
+        let place: Vec<Hypothesis> = context.hypotheses.iter().filter(about).cloned().collect();
+        let square = self.squared(introduced);
+        let power = |base: Expr, power: u32| {
+            let exponent = Expr::integer(power, Span::default());
+            Expr::new(Node::Power(Box::new(base), Box::new(exponent)), Span::default())
+        };
+        let turn = Expr::new(
+            Node::Product(vec![Expr::integer(2, Span::default()), Expr::new(Node::Pi, Span::default())]),
+            Span::default(),
+        );
+        let of_period = Expr::new(Node::Quotient(Box::new(power(turn, 2)), Box::new(square.clone())), Span::default());
+        for (square, what) in [(square, "frequency"), (of_period, "period")] {
+            // What cannot be drawn here is none of these.
+            let Ok(mut found) = steady::check(&square, &place, &context.quick()) else { continue };
+            if found.is_none() && place.is_empty() {
+                found = modes::check(&square, &[], &context.quick()).ok();
+            }
+            if let Some(found) = found.filter(|found| found.verdict.holds()) {
+                let name = text::plain(&model.name(introduced.symbol));
+                let message = format!("{name} is the {what} of small oscillations that follows from the Lagrangian");
+                return Ok(Some(Finding { message, ..found }));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The square of a name that a display defines, as a formula.
+    fn squared(&self, introduced: &DefinedSymbol) -> Expr {
+        let formula = introduced.formula.clone();
+        match self.model.symbols.entry(introduced.symbol).squared {
+            true => formula,
+            false => {
+                let (span, two) = (formula.span, Expr::integer(2, formula.span));
+                Expr::new(Node::Power(Box::new(formula), Box::new(two)), span)
+            }
+        }
     }
 
     /// The finding on a name that the claims file says is one of several normal frequencies.

@@ -11,6 +11,7 @@ pub(crate) mod continuum;
 pub(crate) mod definitions;
 pub(crate) mod exactly_when;
 pub(crate) mod identified;
+pub(crate) mod initial_values;
 pub(crate) mod limit;
 pub(crate) mod mechanics;
 pub(crate) mod printed_solution;

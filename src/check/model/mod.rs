@@ -14,7 +14,7 @@ use crate::formula::symbols::{Components, Name};
 use crate::formula::{Expr, SymbolId, Symbols};
 use crate::latex::{Macros, typeset};
 use crate::mechanics::System;
-use crate::notes::claims::Range;
+use crate::notes::claims::{Range, Spanned};
 use crate::source::Span;
 
 use crate::check::model::claim::{Hypothesis, Law, Unread};
@@ -54,6 +54,15 @@ pub struct PrintedLagrangian {
     pub constraints: Vec<(usize, Expr)>,
     /// The place in the claims file.
     pub place: Span,
+}
+
+/// A name that the claims file says is the frequency of small oscillations about a place, or about a steady motion.
+#[derive(Clone, Debug)]
+pub struct Frequency {
+    /// Its name.
+    pub name: Name,
+    /// The equations that give the coordinates their place, in LaTeX; coordinates that are not named are 0.
+    pub about: Option<Spanned<String>>,
 }
 
 /// The Hamiltonian that the notes define, from which the motion follows.
@@ -102,6 +111,8 @@ pub struct Model {
     pub normal_frequencies: Vec<Name>,
     /// The names of the normal frequencies of several coordinates, each of which a display defines.
     pub modes: Vec<Name>,
+    /// The names of the frequencies of small oscillations about a place, which displays define.
+    pub frequencies: Vec<Frequency>,
     /// The macros of the author.
     pub macros: Macros,
     /// Names of the claims file whose definition stands in a display that cannot be read.
@@ -135,6 +146,7 @@ impl Model {
             constraints: Vec::new(),
             normal_frequencies: Vec::new(),
             modes: Vec::new(),
+            frequencies: Vec::new(),
             macros,
             unread_names: Vec::new(),
             unread_laws: Vec::new(),

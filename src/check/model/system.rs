@@ -2,7 +2,7 @@
 
 use crate::check::model::builder::{Builder, plain};
 use crate::check::model::meaning::{Frame, FrameQuantity, MEANINGS, Meaning, Quantity, Variable};
-use crate::check::model::{PrintedHamiltonian, PrintedLagrangian, particles};
+use crate::check::model::{Frequency, PrintedHamiltonian, PrintedLagrangian, particles};
 use crate::formula::symbols::Entry;
 use crate::formula::{Kind, SymbolId, text};
 use crate::latex::{derivative_name, names};
@@ -12,6 +12,9 @@ use crate::suggest::in_json;
 use crate::systems::Registry;
 use crate::{Error, Result, suggest};
 use std::sync::Arc;
+
+/// The meaning that is completed by a place, as in `frequency of small oscillations about \theta = \theta_0`.
+const SMALL_OSCILLATIONS: &str = "frequency of small oscillations";
 
 impl Builder<'_> {
     /// Maps the declared coordinates and constants to those of the system, by name or by `"read"`.
@@ -188,6 +191,17 @@ impl Builder<'_> {
                 match self.model.coordinates.len() {
                     0 | 1 => self.model.normal_frequencies.push(name),
                     _ => self.model.modes.push(name),
+                }
+                Ok(true)
+            }
+            meant if meant.starts_with(SMALL_OSCILLATIONS) => {
+                let rest = &meant[SMALL_OSCILLATIONS.len()..];
+                // Oscillations in another potential are not those of the Lagrangian: the name is one that a display defines.
+                if !rest.contains(" in ") {
+                    let about = rest.split_once(" about ").map(|(_, about)| about);
+                    let about = about.map(|about| about.split(" at fixed ").next().unwrap_or(about).trim().to_owned());
+                    let about = about.map(|about| Spanned::new(about, meaning.span));
+                    self.model.frequencies.push(Frequency { name, about });
                 }
                 Ok(true)
             }

@@ -48,7 +48,7 @@ use crate::check::verdict::report::Equation;
 const DOCUMENTS: usize = 4;
 
 /// The largest number of edits that are tried, the likeliest first, since each makes another document.
-const TRIED: usize = 160;
+const TRIED: usize = 240;
 
 /// The largest number of displays that cannot be read and are still tried with edits.
 const MOST_UNREADABLE: usize = 12;
@@ -111,7 +111,8 @@ impl Checker<'_> {
                 let mut all = refuted.clone();
                 own_last(&mut all);
                 let all = with_said.clone()(all);
-                found = self.repairing_edits(run, at, (&all, all.len()), &passing);
+                let least = nearly_all(all.len());
+                found = self.repairing_edits(run, at, (&all, least), &passing);
             }
             let dependents = with_said(dependents);
             if found.is_empty() && dependents.len() > 1 && matches!(dependents[0], Item::Display(_)) {
@@ -249,6 +250,15 @@ impl Checker<'_> {
         claim.is_some_and(|claim| !claim.exactly_when.is_empty())
     }
 
+    /// Whether a display gives names formulas that contain those of another display, as U(a) does if that display defines U(x).
+    fn is_read_again(&self, item: Item, at: usize) -> bool {
+        let Item::Display(display) = item else { return false };
+        let (text, macros) = (&self.notes.equations[display].text, &self.model.macros);
+        let mentions = |new: &DefinedSymbol| name_search::mentions(text, &self.model.name(new.symbol), macros);
+        let is_other = display != at && !self.readings[display].introduced.is_empty();
+        is_other && self.readings[at].introduced.iter().any(mentions)
+    }
+
     /// The edits of a display with which most of these equations pass, and at least so many, and with which everything that
     /// passed still passes.
     pub(crate) fn repairing_edits(
@@ -262,11 +272,13 @@ impl Checker<'_> {
         let (symbols, macros) = (&self.model.symbols, &self.model.macros);
         let quick = Options { points: STATES.min(self.options.points), explain: false, ..self.options };
         let own = || Pool::of(std::iter::once(display.text.as_str()), symbols, macros, MISSING).factors_only();
-        // A claim that needs many states waits for the full check, if the others suffice to reject edits.
-        let soon: Vec<Item> = wrong.iter().copied().filter(|item| !self.takes_many_states(*item)).collect();
+        // A claim that needs many states, and a display that would have to be read again, wait for the full check, if the others
+        // suffice to reject edits.
+        let is_soon = |item: &&Item| !self.takes_many_states(**item) && !self.is_read_again(**item, at);
+        let soon: Vec<Item> = wrong.iter().filter(is_soon).copied().collect();
         let (soon, enough) = match soon.len() < least.min(2) {
             true => (wrong, least),
-            false => (soon.as_slice(), least.min(soon.len())),
+            false => (soon.as_slice(), least.saturating_sub(wrong.len() - soon.len()).max(least.min(2))),
         };
         let texts = || self.notes.equations.iter().map(|display| display.text.as_str());
         let terms = || Pool::of(texts(), symbols, macros, MISSING);
@@ -471,6 +483,12 @@ pub(crate) struct SharedEdit {
     pub at: usize,
     pub edit: Edit,
     pub repaired: Vec<(Item, Verdict)>,
+}
+
+/// The number of items that an edit of the Lagrangian must repair: all of a few, and of more than three all but a quarter, since one of them
+/// may be wrong for another reason.
+fn nearly_all(of: usize) -> usize {
+    of - of / 4
 }
 
 /// Whether an equation is false, against expectation.

@@ -114,7 +114,17 @@ impl Checker<'_> {
             }
             if equation.repairs.len() < OFFERED {
                 // The units of a wrong equation may be wrong as well, so none is inferred from it.
-                let found = suggestions(&self.without_units_of(at), &wrong, Search::Thorough)?;
+                let found = match self.lasting(claim)? {
+                    Some(lasting) => {
+                        let wrong = self.failed_display(at, &equation, &lasting);
+                        suggestions(&self.without_units_of(at), &wrong, Search::Likely)?
+                    }
+                    None => Vec::new(),
+                };
+                let found = match found.is_empty() {
+                    true => suggestions(&self.without_units_of(at), &wrong, Search::Thorough)?,
+                    false => found,
+                };
                 for repair in as_repairs(self, &wrong, display.body.start, found) {
                     let is_it = |known: &Repair| (known.span, &known.replacement) == (repair.span, &repair.replacement);
                     if !equation.repairs.iter().any(is_it) {

@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use num_dual::{Dual, Dual64};
 
 use crate::Result;
-use crate::formula::{Relation, Value};
+use crate::formula::{Relation, SymbolId, Value};
 use crate::scalar::RunningError;
 
 use crate::check::model::claim::Hypothesis;
@@ -155,8 +155,13 @@ impl<'m> Projection<'m> {
             let highest = sides.iter().filter_map(|side| order(self.model, side, symbol)).max();
             highest.is_some_and(|highest| slot.order <= usize::from(highest) + row.1)
         };
-        let mut candidates: Vec<usize> = (1..self.slots.len()).collect();
-        candidates.retain(|at| !self.record.plan.iter().any(|(_, taken)| taken == at) && concerns(&self.slots[*at]));
+        // Nothing else is solved for the time, which has the first place, than what is about it alone.
+        let is_time = |(id, _): &(SymbolId, u8)| matches!(self.model.meaning(*id), Some(Meaning::Time));
+        let mut named = sides.iter().flat_map(|side| side.symbols()).peekable();
+        let is_of_time = named.peek().is_some() && named.all(|symbol| is_time(&symbol));
+        let mut candidates: Vec<usize> = if is_of_time { vec![0] } else { (1..self.slots.len()).collect() };
+        candidates.retain(|at| !self.record.plan.iter().any(|(_, taken)| taken == at));
+        candidates.retain(|at| is_of_time || concerns(&self.slots[*at]));
         candidates.sort_by_key(|at| std::cmp::Reverse((class(&self.slots[*at]), *at)));
         let rows: Vec<Row> = self.record.plan.iter().map(|(row, _)| *row).chain([row]).collect();
         let mut columns = Vec::new();

@@ -132,7 +132,18 @@ impl<'m> Projection<'m> {
 
     /// Whether a number of a base may have this value.
     pub(crate) fn allows(&self, slot: usize, value: f64) -> bool {
-        self.spread == Spread::BeyondRanges || contains(&self.slots[slot].range, value)
+        self.spread == Spread::BeyondRanges
+            || contains(&self.slots[slot].range, value)
+            || value == 0.0 && self.is_set_to_zero(slot)
+    }
+
+    /// Whether a hypothesis says that a constant is 0: M = 0 is the limiting case of a mass that is declared positive.
+    fn is_set_to_zero(&self, slot: usize) -> bool {
+        let Slot { symbol: Some(symbol), constant: true, one_of_many: false, .. } = &self.slots[slot] else {
+            return false;
+        };
+        let is_it = |a: &Expr, b: &Expr| a.as_plain_symbol() == Some(*symbol) && b.is_null();
+        self.equalities().any(|(_, known)| is_it(&known.lhs, &known.rhs) || is_it(&known.rhs, &known.lhs))
     }
 
     /// The place of a quantity in a base, if it is a number of the base that no rule gives.

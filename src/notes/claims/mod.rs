@@ -213,7 +213,7 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
             .help("add \"notes\": \"top.md\", the path of the document relative to this file")
     };
     let rotations = rotations(&fields, source)?;
-    let (declarations, between) = declarations(&fields, source)?;
+    let Declared { declarations, conditions: between, values } = declarations(&fields, source)?;
     let axes = vectors::axes(&fields, source)?;
     let continua = continua::continua(&fields, source)?;
     let mut means = fields.declared("means", source)?;
@@ -225,7 +225,10 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
         dissipation = Some(means.remove(at).0);
     }
     let units = fields.declared("units", source)?;
-    let define = fields.pairs("define")?;
+    // A formula in the place of a meaning or a range defines the name.
+    let (given, meanings): (Vec<_>, Vec<_>) = means.into_iter().partition(|(_, what)| range::is_formula(&what.value));
+    means = meanings;
+    let define: Vec<(Text, Text)> = fields.pairs("define")?.into_iter().chain(given).chain(values).collect();
     let declared =
         declarations.iter().filter(|declaration| !declaration.is_formula).map(|declaration| &declaration.name);
     let turned = rotations.iter().map(|(name, _)| name).chain(axes.iter().map(|(name, _)| name));
@@ -280,8 +283,16 @@ fn system(fields: &Fields<'_>) -> Result<Option<SystemRef>, Fault> {
     }
 }
 
-/// The declarations, and the conditions that ranges with formulas as ends make.
-fn declarations(fields: &Fields<'_>, source: &Source) -> Result<(Vec<Declaration>, Vec<Text>), Fault> {
+/// What the declarations of a claims file say.
+struct Declared {
+    declarations: Vec<Declaration>,
+    /// The conditions that ranges with formulas as ends make.
+    conditions: Vec<Text>,
+    /// The names that have a formula in the place of a range, with it.
+    values: Vec<(Text, Text)>,
+}
+
+fn declarations(fields: &Fields<'_>, source: &Source) -> Result<Declared, Fault> {
     const ROLES: &[(&str, Role)] = &[
         ("coordinates", Role::Coordinate),
         ("varies with time", Role::VariesWithTime),
@@ -289,11 +300,15 @@ fn declarations(fields: &Fields<'_>, source: &Source) -> Result<(Vec<Declaration
         ("functions", Role::Function),
         ("indices", Role::Index),
     ];
-    let (mut declarations, mut conditions) = (Vec::new(), Vec::new());
+    let (mut declarations, mut conditions, mut values) = (Vec::new(), Vec::new(), Vec::new());
     for &(section, role) in ROLES {
         for (key, value) in fields.pairs(section)? {
             if matches!(role, Role::Coordinate | Role::Constant | Role::VariesWithTime) {
                 let names = fields::names(&key, source)?;
+                if role == Role::Constant && range::is_formula(&value.value) {
+                    values.extend(names.into_iter().map(|name| (name, value.clone())));
+                    continue;
+                }
                 let found: Option<Vec<_>> = names
                     .into_iter()
                     .map(|name| range::between(&value, &name.value).map(|(range, own)| (name, range, own)))
@@ -339,7 +354,7 @@ fn declarations(fields: &Fields<'_>, source: &Source) -> Result<(Vec<Declaration
         };
         declarations.push(Declaration { role, name, range: Spanned::new(range, span), is_formula: true });
     }
-    Ok((declarations, conditions))
+    Ok(Declared { declarations, conditions, values })
 }
 
 fn rotations(fields: &Fields<'_>, source: &Source) -> Result<Vec<(Text, Spanned<Turning>)>, Fault> {

@@ -107,7 +107,7 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
     let range = match squeezed.as_str() {
         ">0" => Range::Positive,
         "<0" => Range::Negative,
-        "any" => Range::Any,
+        "any" | "real" | "multiplier" => Range::Any,
         "angle" => Range::Angle,
         "complex" => Range::Complex,
         "imaginaryunit" => Range::ImaginaryUnit,
@@ -136,6 +136,27 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
         },
     };
     Ok(Spanned::new(range, written.span))
+}
+
+/// Whether a text is a formula, and no words: it has no letters side by side, but for commands.
+pub(super) fn is_formula(text: &str) -> bool {
+    let mut rest = text;
+    let (mut run, mut is_written) = (0, false);
+    while let Some(c) = rest.chars().next() {
+        rest = &rest[c.len_utf8()..];
+        if c == '\\' {
+            let command = rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_alphabetic()).len();
+            rest = &rest[command..];
+            (run, is_written) = (0, true);
+            continue;
+        }
+        run = if c.is_alphabetic() { run + 1 } else { 0 };
+        if run > 1 || matches!(c, '=' | '<' | '>' | ',' | '.') {
+            return false;
+        }
+        is_written |= c.is_alphabetic();
+    }
+    is_written
 }
 
 /// Reads the size of a matrix: `3x3`, `2×1`.
@@ -228,6 +249,15 @@ fn integers(written: &Spanned<String>, rest: &str, symbolic: bool) -> Result<Ran
 /// An end that is a formula is a hypothesis of every equation, as under `assume`.
 pub(super) fn between(written: &Spanned<String>, name: &str) -> Option<(Spanned<Range>, Vec<Spanned<String>>)> {
     let text = written.value.trim();
+    if text == "nonzero" {
+        let condition = Spanned::new(format!("{name} \\neq 0"), written.span);
+        return Some((Spanned::new(Range::Any, written.span), vec![condition]));
+    }
+    // `> a` has one end, and is the interval from it.
+    let one_end = |sign: char| text.strip_prefix(sign).map(str::trim).filter(|end| endpoint(end).is_err());
+    let one_ended = one_end('>').map(|end| format!("({end}, \\infty)"));
+    let one_ended = one_ended.or_else(|| one_end('<').map(|end| format!("(-\\infty, {end})")));
+    let text = one_ended.as_deref().unwrap_or(text);
     let inside = text.strip_prefix(['(', '['])?.strip_suffix([')', ']'])?;
     let (low, high) = inside.split_once(',').map(|(low, high)| (low.trim(), high.trim()))?;
     let is_infinite = |end: &str| matches!(end.trim_start_matches(['+', '-']).trim(), "\\infty");

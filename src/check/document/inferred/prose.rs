@@ -240,6 +240,15 @@ pub(crate) fn follows_condition(notes: &Notes, span: Span) -> bool {
     last(&words_before(notes, span), &CONDITION).is_some()
 }
 
+/// Whether the sentence before a display speaks of small motion, as "for small oscillations" does.
+pub(crate) fn speaks_of_small(notes: &Notes, span: Span) -> bool {
+    let start = notes.equations.iter().map(|display| display.span).find(|display| display.contains(span));
+    let before = &notes.source.text[..start.map_or(span.start, |display| display.start)];
+    let words = words_before(notes, Span::at(before.trim_end().len()));
+    words.iter().any(|word| word == "small" || word.starts_with("lineari"))
+        || words.windows(2).any(|two| two == ["first", "order"])
+}
+
 /// The last place of one of these words.
 fn last(words: &[String], list: &[&str]) -> Option<usize> {
     words.iter().rposition(|word| list.contains(&word.as_str()))

@@ -1,5 +1,5 @@
 //! Claims about a Lagrangian or a Hamiltonian of the notes: the same motion, the charge of a symmetry, equilibria, normal
-//! frequencies.
+//! frequencies, and oscillations about a steady motion.
 
 pub(crate) mod charge;
 pub(crate) mod equilibrium;
@@ -7,3 +7,4 @@ mod expressions;
 pub(crate) mod generates;
 pub(crate) mod modes;
 pub(crate) mod same_motion;
+pub(crate) mod steady;
