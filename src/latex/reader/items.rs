@@ -265,3 +265,14 @@ pub(super) fn is_lone(item: &Item, name: &Name) -> bool {
     let (Some(only), None) = (inside.next(), inside.next()) else { return false };
     names::printed(only, None).is_some_and(|p| p.dots == 0 && p.sup.is_none() && p.name == *name)
 }
+
+/// Whether a subscript of ∂ is a usual index, and no variable.
+pub(super) fn is_usual_index(sub: &Item) -> bool {
+    let letters =
+        ["\\mu", "\\nu", "\\rho", "\\sigma", "\\lambda", "\\alpha", "\\beta", "\\kappa", "i", "j", "k", "a", "b"];
+    match contents(sub) {
+        [Item { layout: Layout::Number(_), .. }] => true,
+        [only] => names::printed(only, None).is_some_and(|found| letters.contains(&found.name.base.as_str())),
+        _ => false,
+    }
+}

@@ -14,7 +14,7 @@ use crate::source::{Fault, Missing, Span};
 use super::super::layout::{Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
-use super::items::{Joint, contents, differential, joint, whole_number};
+use super::items::{Joint, contents, differential, is_usual_index, joint, whole_number};
 use super::state::{Read, Reader};
 
 /// Whether a derivative is written with ∂, or with d.
@@ -153,7 +153,7 @@ impl Reader<'_> {
         if mark(nucleus) != Some((Mark::Partial, 1)) {
             return Ok(None);
         }
-        if self.symbols.infers() && is_index(sub) {
+        if self.symbols.infers() && is_usual_index(sub) {
             return Err(Fault::unsupported(item.span, "∂ with an index has no value here").help(
                 "write \\frac{\\partial}{\\partial x}, or leave the equation out with \"skip\" in the claims file",
             ));
@@ -460,17 +460,6 @@ impl Reader<'_> {
             && !arguments.iter().any(|argument| argument.id == id)
             && derivative::variables(definition, scope)
                 .is_ok_and(|found| found.iter().any(|other| other.dots > 0 && !is_argument(other)))
-    }
-}
-
-/// Whether a subscript of ∂ is a usual index, and no variable.
-fn is_index(sub: &Item) -> bool {
-    let letters =
-        ["\\mu", "\\nu", "\\rho", "\\sigma", "\\lambda", "\\alpha", "\\beta", "\\kappa", "i", "j", "k", "a", "b"];
-    match contents(sub) {
-        [Item { layout: Layout::Number(_), .. }] => true,
-        [only] => names::printed(only, None).is_some_and(|found| letters.contains(&found.name.base.as_str())),
-        _ => false,
     }
 }
 
