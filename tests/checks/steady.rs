@@ -66,6 +66,11 @@ fn a_frequency_about_a_place_follows_from_the_lagrangian() {
     assert_eq!(frequency(&spherical(), about, &[PENDULUM, conical]), Verified);
     let with_velocity = r"\Omega^2 = \frac gl \frac{\sin^2\theta_0}{\cos\theta_0}";
     assert_eq!(frequency(&spherical(), about, &[PENDULUM, with_velocity]), Refuted);
+    let mut claims = spherical();
+    claims["means"][r"\Omega"] = json!(format!("frequency of small oscillations{about}"));
+    let slip = r"\Omega^2 = \frac gl \frac{1 + 3\sin^2\theta_0}{\cos\theta_0}";
+    let found = equation(&claims, &[PENDULUM, slip], json!({}));
+    assert_eq!(found.repairs.first().map(|repair| repair.replacement.as_str()), Some(r"\cos"));
     // A chain is tested at its first link too.
     let chain = r"\Omega^2 = \omega^2 - \omega^2\sin^2\theta_0 = \omega^2\cos^2\theta_0";
     assert_eq!(frequency(&hoop(), r" about \theta = \theta_0", &[HOOP, chain]), Refuted);

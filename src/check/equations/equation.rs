@@ -325,7 +325,7 @@ impl Checker<'_> {
             if let (0, Some(first)) = (at, introduced.iter().find(|introduced| introduced.member == 0)) {
                 if last && !says_more {
                     findings.push(self.definition(first, context)?);
-                } else if let Some(finding) = self.declared_frequency(first, context)? {
+                } else if let Some(finding) = self.declared_frequency(first.symbol, &first.formula, context)? {
                     findings.push(finding);
                 }
                 continue;
@@ -367,6 +367,11 @@ impl Checker<'_> {
                     let mode =
                         link.lhs.as_plain_symbol().map(|id| self.mode(id, &link.rhs, &context)).transpose()?.flatten();
                     mode.map_or_else(|| identity::check(&link, &context), Ok)?
+                }
+                Relation::Equal if at == 0 && self.is_frequency(&link) => {
+                    let of = |id| self.declared_frequency(id, &link.rhs, &context);
+                    let found = link.lhs.as_plain_symbol().map(of).transpose()?.flatten();
+                    found.map_or_else(|| identity::check(&link, &context), Ok)?
                 }
                 Relation::Equal if claim.secular_for.is_some() => match &claim.secular_for {
                     Some(omega) => modes::secular_equation(&link, self.symbol(omega)?, &context)?,

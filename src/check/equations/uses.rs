@@ -46,7 +46,7 @@ impl Checker<'_> {
         if let Some(finding) = self.mode(introduced.symbol, &introduced.formula, context)? {
             return Ok(finding);
         }
-        if let Some(finding) = self.declared_frequency(introduced, context)? {
+        if let Some(finding) = self.declared_frequency(introduced.symbol, &introduced.formula, context)? {
             return Ok(finding);
         }
         let (uses, restated) = self.uses(introduced)?;
@@ -81,10 +81,11 @@ impl Checker<'_> {
     /// The finding on a name that the claims file says is the frequency of small oscillations about a place.
     pub(crate) fn declared_frequency(
         &self,
-        introduced: &DefinedSymbol,
+        symbol: SymbolId,
+        formula: &Expr,
         context: &Context<'_>,
     ) -> Result<Option<Finding>> {
-        let name = &self.model.symbols.entry(introduced.symbol).name;
+        let name = &self.model.symbols.entry(symbol).name;
         let Some(frequency) = self.model.frequencies.iter().find(|frequency| frequency.name == *name) else {
             return Ok(None);
         };
@@ -92,9 +93,15 @@ impl Checker<'_> {
             Some(about) => self.hypotheses(&Claim { throughout: vec![about.clone()], ..Claim::default() })?,
             None => Vec::new(),
         };
-        let found = steady::check(&self.squared(introduced), &place, context)?;
+        let found = steady::check(&self.squared(symbol, formula), &place, context)?;
         let unsupported = "the frequency of small oscillations cannot be formed here";
         Ok(Some(found.unwrap_or_else(|| context.finding(Code::NotSupported, Verdict::Undecided, unsupported))))
+    }
+
+    /// Whether a link says what the frequency of small oscillations about a place is.
+    pub(crate) fn is_frequency(&self, link: &Link) -> bool {
+        let name = link.lhs.as_plain_symbol().map(|id| &self.model.symbols.entry(id).name);
+        name.is_some_and(|name| self.model.frequencies.iter().any(|frequency| frequency.name == *name))
     }
 
     /// The finding on a name that nothing else tests and that is the frequency of small oscillations, or their period, where the
@@ -112,7 +119,7 @@ impl Checker<'_> {
             symbols.into_iter().any(|(id, _)| model.is_coordinate(id))
         };
         let place: Vec<Hypothesis> = context.hypotheses.iter().filter(about).cloned().collect();
-        let square = self.squared(introduced);
+        let square = self.squared(introduced.symbol, &introduced.formula);
         let power = |base: Expr, power: u32| {
             let exponent = Expr::integer(power, Span::default());
             Expr::new(Node::Power(Box::new(base), Box::new(exponent)), Span::default())
@@ -137,27 +144,19 @@ impl Checker<'_> {
         Ok(None)
     }
 
-    /// The square of a name that a display defines, as a formula.
-    fn squared(&self, introduced: &DefinedSymbol) -> Expr {
-        let formula = introduced.formula.clone();
-        match self.model.symbols.entry(introduced.symbol).squared {
-            true => formula,
+    /// The square of a name with this formula.
+    fn squared(&self, symbol: SymbolId, formula: &Expr) -> Expr {
+        match self.model.symbols.entry(symbol).squared {
+            true => formula.clone(),
             false => {
-                let (span, two) = (formula.span, Expr::integer(2, formula.span));
-                Expr::new(Node::Power(Box::new(formula), Box::new(two)), span)
+                let two = Expr::integer(2, formula.span);
+                Expr::new(Node::Power(Box::new(formula.clone()), Box::new(two)), formula.span)
             }
         }
     }
 
     /// The finding on a name that the claims file says is one of several normal frequencies.
     pub(crate) fn mode(&self, symbol: SymbolId, formula: &Expr, context: &Context<'_>) -> Result<Option<Finding>> {
-        let square = |id: SymbolId, formula: &Expr| match self.model.symbols.entry(id).squared {
-            true => formula.clone(),
-            false => Expr::new(
-                Node::Power(Box::new(formula.clone()), Box::new(Expr::integer(2, formula.span))),
-                formula.span,
-            ),
-        };
         let named = |name: &Name| self.model.symbols.find(name).map(|(id, _)| id);
         let Some(place) = self.model.modes.iter().position(|name| named(name) == Some(symbol)) else {
             return Ok(None);
@@ -165,11 +164,11 @@ impl Checker<'_> {
         let before = self.model.modes[..place].iter().filter_map(|name| {
             let id = named(name)?;
             match self.model.meaning(id) {
-                Some(Meaning::Defined(formula)) => Some((text::plain(&name.to_string()), square(id, formula))),
+                Some(Meaning::Defined(formula)) => Some((text::plain(&name.to_string()), self.squared(id, formula))),
                 _ => None,
             }
         });
-        let own = square(symbol, formula);
+        let own = self.squared(symbol, formula);
         modes::check(&own, &before.collect::<Vec<_>>(), context).map(Some)
     }
 

@@ -370,7 +370,7 @@ fn links<'r>(
         let link =
             |at: usize| checker.link(&statement.members[at], statement.relations[at].0, &statement.members[at + 1]);
         let is_solution = |at: usize, link: &Link| {
-            at == 0 && checker.is_mode(link)
+            at == 0 && (checker.is_mode(link) || checker.is_frequency(link))
                 || checker.solution(link, at, claim).is_some()
                 || solution::is_an_orbit(link, checker.model)
         };
