@@ -351,7 +351,7 @@ impl Checker<'_> {
             let solution = self.solution(&link, at, claim);
             let finding = match relation {
                 Relation::Equal if self.starts(claim) => {
-                    self.from_its_start(&link, solution.as_ref(), claim, &context)?
+                    self.along_its_start(&link, solution.as_ref(), claim, &context)?
                 }
                 _ if solution.is_some() => match &solution {
                     Some(solution) => self.of_the_motion(solution, &context)?,

@@ -272,7 +272,7 @@ impl Checker<'_> {
     }
 
     /// The finding on an equation of a motion that starts as the claim says: a solution must also solve the equations of motion.
-    pub(crate) fn from_its_start(
+    pub(crate) fn along_its_start(
         &self,
         link: &Link,
         solution: Option<&Solution>,

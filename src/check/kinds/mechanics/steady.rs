@@ -13,9 +13,10 @@ use crate::source::Span;
 use super::expressions::{equal, lagrangian, partial, product, rate, sum, symbol};
 use crate::check::judge::identity;
 use crate::check::model::claim::{Hypothesis, Link};
-use crate::check::model::meaning::Meaning;
+use crate::check::model::meaning::{Meaning, Variable};
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
+use crate::check::sample::sampler::contains;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
@@ -60,6 +61,13 @@ pub(crate) fn check(square: &Expr, place: &[Hypothesis], context: &Context<'_>) 
     let names = |hypothesis: &Hypothesis, q: SymbolId| {
         [&hypothesis.lhs, &hypothesis.rhs].into_iter().any(|side| side.symbols().iter().any(|(id, _)| *id == q))
     };
+    let is_zero_outside = |q: &SymbolId| {
+        let is_out = |known: &Variable| known.symbol == *q && !contains(&known.range, 0.0);
+        model.coordinates.iter().any(is_out) && !place.iter().any(|hypothesis| names(hypothesis, *q))
+    };
+    if own.iter().any(is_zero_outside) {
+        return Ok(None);
+    }
     let unnamed = own.iter().filter(|q| !place.iter().any(|hypothesis| names(hypothesis, **q)));
     let unnamed: Vec<Hypothesis> = unnamed.map(|q| Hypothesis::of(equal(&symbol(*q, 0), &zero), true)).collect();
     let places =
