@@ -85,7 +85,9 @@ pub(in crate::check::mark) fn follows(
         return false;
     };
     // Of a chain only the links count that are false: the others hold whatever is carried.
-    let is_false = |link: &Link| own.len() == 1 || holds(checker, checker.model, link, &[]) != Some(true);
+    let is_true =
+        |link: &Link| holds(checker, checker.model, link, &[]) == Some(true) || before.motion.has(checker, link);
+    let is_false = |link: &Link| own.len() == 1 || !is_true(link);
     let own: Vec<Link> = match own.iter().filter(|link| is_false(link)).cloned().collect::<Vec<_>>() {
         none if none.is_empty() => own,
         some => some,
