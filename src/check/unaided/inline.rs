@@ -59,7 +59,14 @@ fn relates(display: &Display, (usages, authors, is_told): (&[Usage], usize, bool
     };
     let first = names.iter().find(|name| name.introduced.is_some());
     let is_used = |name: &Usage| usages.iter().any(|usage| usage.name == name.name && usage.first < authors);
-    names.len() + usize::from(is_told) >= FEWEST_RELATED && names.iter().all(is_known) && first.is_none_or(is_used)
+    // A value, and another name for a name, are a special case.
+    let sides =
+        display.text.split('=').map(|side| names_of(&[Display { text: side.to_owned(), ..display.clone() }], macros));
+    let sides: Vec<usize> = sides.map(|names| names.len()).collect();
+    let is_more = !sides.contains(&0) && display.text.contains(['^', '/', '+', '-', '(', '\\']);
+    names.len() + usize::from(is_told && is_more) >= FEWEST_RELATED
+        && names.iter().all(is_known)
+        && first.is_none_or(is_used)
 }
 
 /// The formula in a sentence as a display, if it is one equality.
