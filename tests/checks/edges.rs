@@ -64,3 +64,26 @@ fn what_is_equal_to_rounding_alone_is_no_edge() {
     assert_eq!(holds(r"\sqrt{a^2 + b^2} > a", &[]), Verified);
     assert_eq!(holds(r"\sqrt{a^2 + x^2} > a", &[]), Refuted);
 }
+
+#[test]
+fn an_excluded_end_of_a_range_is_no_state() {
+    // At γ = 1 the two laws say T = S, and nothing of the volumes.
+    let of = |range: &str| {
+        let claims = json!({ "constants": { "T, S, A, B, C, D": "> 0", r"\gamma": range } });
+        let laws = [r"T A^{\gamma - 1} = S B^{\gamma - 1}", r"T C^{\gamma - 1} = S D^{\gamma - 1}"];
+        verdict(&claims, &[r"\frac{A}{C} = \frac{B}{D}"], json!({ "assume": laws }))
+    };
+    assert_ne!(of("(1, 3)"), Refuted);
+    assert_eq!(of("[1, 3]"), Refuted);
+}
+
+#[test]
+fn an_interval_may_have_no_end() {
+    let of = |range: &str, latex: &str| verdict(&json!({ "constants": { "a": range } }), &[latex], json!({}));
+    for range in [r"(1, \infty)", r"[1, \infty)"] {
+        assert_eq!(of(range, r"a^2 \geq a"), Verified, "{range}");
+        assert_eq!(of(range, r"a^2 < a"), Refuted, "{range}");
+    }
+    assert_eq!(of(r"(-\infty, 0)", "a < a^2"), Verified);
+    assert_eq!(of(r"(-\infty, \infty)", r"a^2 \geq a"), Refuted);
+}

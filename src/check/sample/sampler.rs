@@ -157,6 +157,9 @@ pub fn last(high: &Count, low: i64) -> i64 {
     }
 }
 
+/// The distance from an end of an interval, in units of its length, at which a number may be the end but for rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// Whether a value lies in a range.
 pub fn contains(range: &Range, value: f64) -> bool {
     match range {
@@ -173,8 +176,10 @@ pub fn contains(range: &Range, value: f64) -> bool {
         | Range::ImaginaryUnit
         | Range::Rate => value.is_finite(),
         Range::Interval { low, high, low_open, high_open } => {
-            let above = if *low_open { value > *low } else { value >= *low };
-            let below = if *high_open { value < *high } else { value <= *high };
+            // An excluded end that a solver reaches to rounding is excluded.
+            let rounding = ROUNDING * (high - low);
+            let above = if *low_open { value - low > rounding } else { value >= *low };
+            let below = if *high_open { high - value > rounding } else { value <= *high };
             above && below
         }
         Range::Integer { low, high } => {

@@ -106,6 +106,13 @@ pub(super) fn sets<'p>(
     found
 }
 
+/// The last display that is a premise, where it has to do with a statement with these symbols. What is said to follow may follow from it
+/// though it has symbols that cannot be eliminated one by one, as in a quotient of two laws.
+pub(super) fn nearest<'p>(known: &'p [Premise], symbols: &[SymbolId]) -> Option<Vec<&'p Premise>> {
+    let last = known.iter().rev().find(|premise| !premise.is_inline && premise.said == Said::Whole)?;
+    last.symbols.iter().any(|symbol| symbols.contains(symbol)).then(|| vec![last])
+}
+
 /// The sets with which a slip is sought: the likeliest, and the first of those with the most premises, which say the most. What is
 /// said to be constant follows from two relations as a rule.
 pub(super) fn for_slips<'s, 'p>(sets: &'s [Vec<&'p Premise>], is_constant: bool) -> Vec<&'s Vec<&'p Premise>> {

@@ -87,7 +87,10 @@ pub fn products_in_lines(text: &str) -> Vec<(Span, String)> {
         }
         let last = factors.last().map(|last| &text[last.range()]);
         let is_number = |c: char| c.is_ascii_digit();
-        let divides_numbers = text[..slash].ends_with(is_number) && text[start..].starts_with(is_number);
+        // A power, as in p^2/2m, is no number over a number.
+        let above = text[..slash].trim_end_matches(is_number);
+        let is_over_a_number = above.len() < slash && !above.ends_with('^');
+        let divides_numbers = is_over_a_number && text[start..].starts_with(is_number);
         let names_a_variable = last.is_some_and(|last| ["t", "x", "y", "z"].contains(&last));
         let has_differential = factors.iter().any(|factor| ["d", "e"].contains(&&text[factor.range()]));
         let rest = &text[end..];

@@ -243,7 +243,8 @@ pub(crate) fn follows_condition(notes: &Notes, span: Span) -> bool {
 /// Whether the sentence before a display speaks of small motion, as "for small oscillations" does.
 pub(crate) fn speaks_of_small(notes: &Notes, span: Span) -> bool {
     let start = notes.equations.iter().map(|display| display.span).find(|display| display.contains(span));
-    let before = &notes.source.text[..start.map_or(span.start, |display| display.start)];
+    // A display of an edited text may stand where the notes have ended.
+    let before = notes.source.text.get(..start.map_or(span.start, |display| display.start)).unwrap_or_default();
     let words = words_before(notes, Span::at(before.trim_end().len()));
     words.iter().any(|word| word == "small" || word.starts_with("lineari"))
         || words.windows(2).any(|two| two == ["first", "order"])

@@ -225,7 +225,9 @@ impl Course<'_, '_> {
         {
             return Ok(gate::as_it_counts(follows));
         }
-        for set in &sets {
+        let nearest = words.connected.then(|| premises::nearest(&before, &symbols)).flatten();
+        let nearest = nearest.filter(|set| !sets.contains(set));
+        for set in sets.iter().chain(&nearest) {
             if let Some(follows) = self.follows_from(at, set, positive.as_ref())? {
                 // What follows says in short what several premises do, so it is one too.
                 let from: Vec<usize> = set.iter().map(|premise| premise.at).collect();
@@ -258,7 +260,7 @@ impl Course<'_, '_> {
         }
         let mut statements = self.checker.readings[at].statements.iter().flatten();
         let is_constant = statements.any(|statement| statement.constant.is_some());
-        for set in premises::for_slips(&sets, is_constant) {
+        for set in premises::for_slips(&sets, is_constant).into_iter().chain(&nearest) {
             let claim = premises::claim(set);
             let where_positive = positive.as_ref().map(|positive| positive.added_to(&claim));
             for claim in std::iter::once(claim).chain(where_positive) {

@@ -88,13 +88,13 @@ impl Course<'_, '_> {
     }
 }
 
-/// Whether the counterexample has a symbol that is 0, or two that are equal: the premises hold only in a special case, of which
-/// the display does not speak.
+/// Whether two symbols of the counterexample are equal: the premises hold only in a special case, of which the display does not
+/// speak.
 fn is_degenerate(found: &Equation) -> bool {
     let parts = found.parts.iter().filter_map(|part| part.finding.counterexample.as_ref());
     parts.chain(&found.finding.counterexample).any(|counterexample| {
         let values: Vec<f64> = counterexample.state.iter().map(|(_, value)| *value).collect();
-        let is_equal = |a: f64, b: f64| (a - b).abs() <= EQUAL * a.abs().max(b.abs());
-        values.iter().enumerate().any(|(at, a)| *a == 0.0 || values[..at].iter().any(|b| is_equal(*a, *b)))
+        let is_equal = |a: f64, b: f64| a != 0.0 && (a - b).abs() <= EQUAL * a.abs();
+        values.iter().enumerate().any(|(at, a)| values[..at].iter().any(|b| is_equal(*a, *b)))
     })
 }

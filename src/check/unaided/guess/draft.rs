@@ -78,6 +78,7 @@ fn reason(role: &str, range: &str, usage: Option<&Usage>) -> String {
     };
     let range = match range {
         "angle" => ", and an angle, because it stands alone in a sine or cosine",
+        "(1, 3)" => ", and more than 1, because it stands in an exponent as the ratio of two heat capacities does",
         "> 0" if !usage.is_some_and(|usage| usage.positive) => {
             ", and positive, because it has a power, or because another quantity with this letter is positive"
         }

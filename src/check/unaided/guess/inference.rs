@@ -36,6 +36,9 @@ const DIRECTIONS: [&str; 20] = [
 /// Letters that change where a formula with them is said to be constant, as in `pV^\\gamma = \\text{const}`.
 const QUANTITIES_OF_STATE: [&str; 8] = ["p", "P", "V", "v", "T", "S", "U", "y"];
 
+/// The range of γ in the exponents of an adiabat, C_p/C_V.
+const HEATS: &str = "(1, 3)";
+
 /// Letters for quantities that are positive in each state if they are in one.
 const MEASURES: [&str; 14] = ["p", "P", "V", "T", "m", "M", "R", "C", "L", "n", "N", "\\rho", "\\lambda", "\\ell"];
 
@@ -223,6 +226,10 @@ impl Guess {
         };
         let is_of_time = |usage: &Usage| usage.arguments.as_ref().is_some_and(|of| *of == [Name::plain("t")]);
         let rolling = lagrangian.and_then(|_| rolling(usages));
+        let is_ratio_of_heats = |usage: &Usage| {
+            usage.raises && ["\\gamma", "\\kappa"].iter().any(|letter| usage.name == Name::plain(*letter))
+        };
+        let has_heats = usages.iter().any(is_ratio_of_heats);
         let is_known = |usage: &Usage| match &rolling {
             Some(rolling) if rolling.depends == usage.name => true,
             Some(rolling) if rolling.coordinate == usage.name => false,
@@ -245,8 +252,10 @@ impl Guess {
             // A quantity of one kind has one sign in all states. What has a power other than a whole one is not negative.
             let is_alike = |other: &Usage| other.positive && other.name.base == usage.name.base;
             let is_measure = MEASURES.contains(&usage.name.base.as_str());
-            let positive = usage.positive || usage.exponential || is_measure && usages.iter().any(is_alike);
+            let positive =
+                usage.positive || usage.exponential || is_measure && (has_heats || usages.iter().any(is_alike));
             let range = match (is_vector, usage.angle, positive) {
+                (false, ..) if is_ratio_of_heats(usage) => HEATS,
                 (true, ..) => "any",
                 (_, true, _) => "angle",
                 (_, _, true) => "> 0",

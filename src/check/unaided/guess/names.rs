@@ -20,6 +20,8 @@ pub(in crate::check) struct Usage {
     pub follows: bool,
     /// Whether it stands in a formula that is said to be constant, and not in an exponent.
     pub conserved: bool,
+    /// Whether it stands in an exponent of another name than e.
+    pub raises: bool,
     /// The names of which it is the product, where a display says so.
     pub product: Option<Vec<Name>>,
     /// Whether it is all of a numerator or a denominator.
@@ -50,6 +52,7 @@ struct Place {
     angle: bool,
     moves: bool,
     conserved: bool,
+    raises: bool,
     /// Whether δ before a name is a factor in the display.
     has_coefficient: bool,
 }
@@ -287,6 +290,7 @@ fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'f mut Usage
             angle: false,
             follows: false,
             conserved: false,
+            raises: false,
             product: None,
             divides: false,
             precedes: false,
@@ -329,6 +333,7 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
             usage.moves |= printed.dots > 0 || place.moves;
             usage.positive |= here.positive;
             usage.conserved |= place.conserved;
+            usage.raises |= place.raises;
             usage.precedes |= items[index + 1..].iter().find(|next| !is_space(next)).is_some_and(is_factor);
             usage.angle |= here.angle && !follows.is_some_and(is_variable);
             if let Some(arguments) = follows.and_then(names_in_parentheses) {
@@ -336,7 +341,8 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
             }
             if let Some(sup) = printed.sup {
                 usage.exponential |= !matches!(contents(sup), [Item { layout: Layout::Number(_), .. }]);
-                walk(std::slice::from_ref(sup), Place::default(), at, found);
+                let raises = printed.name.base != "e";
+                walk(std::slice::from_ref(sup), Place { raises, ..Place::default() }, at, found);
             }
             continue;
         }
