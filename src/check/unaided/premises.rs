@@ -20,6 +20,9 @@ const IN_STATES: usize = 4;
 /// The most sets of several premises with which a slip is sought in what is said to be constant.
 const PAIRS: usize = 3;
 
+/// The number of premises in a pair.
+const PAIR: usize = 2;
+
 /// The most premises in a set.
 const MOST: usize = 3;
 
@@ -119,9 +122,13 @@ pub(super) fn for_slips<'s, 'p>(sets: &'s [Vec<&'p Premise>], is_constant: bool)
     if is_constant {
         return sets.iter().take(1).chain(sets.iter().skip(1).filter(|set| set.len() > 1).take(PAIRS)).collect();
     }
-    let longest = sets.iter().map(Vec::len).max().unwrap_or(0);
+    // A law in several states says much already; with two relations more the premises may contradict each other.
+    let says_too_much =
+        |set: &&Vec<&Premise>| set.len() > PAIR && set.iter().any(|premise| matches!(premise.said, Said::States(_)));
+    let sets: Vec<&Vec<&Premise>> = sets.iter().filter(|set| !says_too_much(set)).collect();
+    let longest = sets.iter().map(|set| set.len()).max().unwrap_or(0);
     let most = sets.iter().skip(1).find(|set| set.len() == longest);
-    sets.first().into_iter().chain(most).collect()
+    sets.first().into_iter().chain(most).copied().collect()
 }
 
 /// The number of symbols that the equalities of premises cannot eliminate to leave a relation between these symbols; `None`, if one of the

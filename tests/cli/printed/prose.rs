@@ -192,7 +192,8 @@ $$ \dot\phi^2 = \frac{{g}}{{l \cos{power}\theta_0}} \tag{{2}} $$
 "
         )
     };
-    assert_eq!(verdicts("cone", &claims, &notes(""))[1], "undecided");
+    // It fails at an instant at which θ = θ_0, and holds while θ stays there.
+    assert_eq!(verdicts("cone", &claims, &notes(""))[1], "passes");
     assert_eq!(verdicts("cone", &claims, &notes("^2"))[1], "refuted");
 }
 
