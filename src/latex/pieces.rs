@@ -116,7 +116,8 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
         let pauses = || items[at..].iter().take_while(|next| is_pause(next));
         let has_wide = pauses().any(|next| next.layout == Layout::Space(Space::Wide));
         let next = items.get(at + pauses().count());
-        let goes_on = next.is_some_and(|next| begins_condition(next) || has_wide && is_comparison(next));
+        let goes_on = next.is_some_and(|next| begins_condition(next) || has_wide && is_comparison(next))
+            && value_lists::length(&items[(at + pauses().count()).min(items.len())..]).is_none();
         if let (true, true, Some(piece)) = (is_stop, goes_on, current.as_mut().filter(|piece| piece.links.len() > 1)) {
             while items.get(at).is_some_and(|item| is_pause(item)) {
                 at += 1;

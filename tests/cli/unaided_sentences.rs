@@ -145,5 +145,5 @@ $$ \frac{df}{ds} = \frac{\cosh s - s\sinh s}{\cosh^2 s} $$
     assert_eq!(found.last().map(String::as_str), Some("refuted"));
     // y may stay fixed, or change with s.
     let (found, _) = verdicts("derivative-both", &notes.replace(r"\frac{s}{\cosh s}", r"\frac{y}{\cosh s}"));
-    assert!(["unreadable", "undecided"].contains(&found.last().map_or("", String::as_str)), "{found:?}");
+    assert!(!["certified", "verified", "refuted"].contains(&found.last().map_or("", String::as_str)), "{found:?}");
 }

@@ -231,7 +231,9 @@ impl Checker<'_> {
         claim: &Claim,
         context: &Context<'_>,
     ) -> Result<Finding> {
-        if found.verdict != Verdict::Refuted || self.options.deduction || self.model.system.is_none() {
+        // A claim that says what is small is about ≈, and = says more.
+        let is_exact = !claim.small.is_empty();
+        if found.verdict != Verdict::Refuted || is_exact || self.options.deduction || self.model.system.is_none() {
             return Ok(found);
         }
         let said = |latex: &Spanned<String>| {
@@ -256,13 +258,13 @@ impl Checker<'_> {
             .map(|q| Expr::new(Node::Symbol { id: q.symbol, indices: Vec::new(), dots: 0 }, link.lhs.span))
             .collect();
         let close = Link { relation: Relation::Approximately, ..link.clone() };
-        let linear = small::check(&close, &small, 1, context)?;
-        Ok(match linear.verdict.holds() {
-            true => Finding {
+        // Where small motion cannot be tried, the equality is as false as before.
+        Ok(match small::check(&close, &small, 1, context) {
+            Ok(linear) if linear.verdict.holds() => Finding {
                 message: format!("holds to first order in the coordinates about 0; {}", linear.message),
                 ..linear
             },
-            false => found,
+            _ => found,
         })
     }
 

@@ -43,7 +43,11 @@ pub(in crate::check::unaided) fn weighed(course: &Course<'_, '_>, found: &mut [E
         equation.is_some_and(|equation| equation.finding.verdict == Verdict::Refuted)
     };
     let mut suspicions = Vec::new();
-    for (at, set) in course.blamed.iter().filter(|(at, _)| is_wrong(*at, found)) {
+    // Slips in what is constant are in exponents; a law that would do with another one is none the worse for that.
+    let is_constant = |at: usize| {
+        course.checker.readings[at].statements.iter().flatten().any(|statement| statement.constant.is_some())
+    };
+    for (at, set) in course.blamed.iter().filter(|(at, _)| is_wrong(*at, found) && !is_constant(*at)) {
         let is_common_here = found[at - first].repairs.iter().any(|repair| is_common(repair.slip));
         for premise in set {
             let is_open = !premise.is_inline && premise.at >= first && !course.confirmed.contains(&premise.at);
