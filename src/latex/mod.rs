@@ -22,7 +22,7 @@
 
 #[cfg(feature = "notes")]
 pub mod definitions;
-#[cfg(feature = "cli")]
+#[cfg(feature = "notes")]
 pub mod foreign;
 #[cfg(feature = "notes")]
 mod inference;
@@ -43,7 +43,7 @@ mod pieces;
 mod primed_names;
 #[cfg(feature = "notes")]
 pub mod reader;
-#[cfg(feature = "cli")]
+#[cfg(feature = "notes")]
 pub mod rename;
 #[cfg(feature = "notes")]
 mod rows;
@@ -52,6 +52,7 @@ pub mod slips;
 #[cfg(feature = "notes")]
 pub mod statements;
 pub mod typeset;
+#[cfg(feature = "notes")]
 mod value_lists;
 
 #[cfg(feature = "notes")]
@@ -60,6 +61,7 @@ pub use definitions::DefinedSymbol;
 pub use macros::Macros;
 #[cfg(feature = "notes")]
 pub use pieces::says_constant;
+#[cfg(feature = "notes")]
 pub use reader::has_coefficient;
 #[cfg(feature = "notes")]
 pub use reader::{derivative_name, pairs_by_name, read_formula};

@@ -25,6 +25,7 @@ impl Renamed {
     }
 
     /// The bytes of the original for bytes of the text.
+    #[cfg(feature = "cli")]
     pub fn original(&self, span: Span) -> Span {
         let at = |offset: usize, is_end: bool| {
             let mut pieces = self.places.iter().enumerate();

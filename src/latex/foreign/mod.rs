@@ -10,6 +10,7 @@ mod words;
 use crate::source::Span;
 
 pub use slashes::products_in_lines;
+#[cfg(feature = "cli")]
 pub use words::{says_or, separated};
 
 use slashes::divided;
@@ -98,6 +99,7 @@ fn sums(text: &str) -> Vec<(Span, String)> {
 }
 
 /// The end of a letter, with its subscript, dots and primes, that stands at a place.
+#[cfg(feature = "cli")]
 pub fn quantity(text: &str, at: usize) -> Option<usize> {
     let dots = ["\\dot", "\\ddot"].iter().find_map(|dots| text[at..].strip_prefix(*dots));
     let Some(rest) = dots.filter(|rest| !rest.starts_with(|c: char| c.is_ascii_alphabetic())) else {

@@ -1,8 +1,10 @@
 //! Words and signs between statements, and decimal commas.
 
+#[cfg(feature = "cli")]
 use super::units::braced;
 
 /// A text of the same length, in which decimal commas are points, and words between statements are spaces.
+#[cfg(feature = "cli")]
 pub fn separated(text: &str) -> String {
     let mut new = text.to_owned();
     while let Some(at) = new.match_indices("{,}").map(|(at, _)| at).find(|at| between_digits(&new, *at, 3)) {
@@ -72,9 +74,11 @@ pub fn separated(text: &str) -> String {
 }
 
 /// Words for "or" between statements.
+#[cfg(feature = "cli")]
 const OR: [&str; 9] = ["or", "oder", "ou", "o", "u", "oppure", "lub", "eller", "ou bien"];
 
 /// Whether a text between two statements, or the prose there, says that they are alternatives.
+#[cfg(feature = "cli")]
 pub fn says_or(between: &str) -> bool {
     let is_or = |words: &str| OR.contains(&words.trim_matches([' ', ',', '~', ';', '.']));
     let mut prose = between.replace("\\quad", " ").replace("\\qquad", " ").replace(['$', '&'], " ");
@@ -87,6 +91,7 @@ pub fn says_or(between: &str) -> bool {
 }
 
 /// Words without the commands for accents: `p\'eriode`.
+#[cfg(feature = "cli")]
 fn without_accents(words: &str) -> String {
     let mut plain = words.to_owned();
     for accent in ["\\'", "\\`", "\\^", "\\\"", "\\~", "\\=", "\\.", "\\c ", "\\k ", "\\v ", "\\l ", "\\o ", "\\ss "] {
@@ -96,6 +101,7 @@ fn without_accents(words: &str) -> String {
 }
 
 /// Whether a colon ends what is said of the statement after it: `t = 0:\quad`.
+#[cfg(feature = "cli")]
 fn ends_a_clause(text: &str, at: usize) -> bool {
     let (before, after) = (text[..at].trim_end(), &text[at + 1..]);
     let is_apart = ["\\quad", "\\qquad", "\\;", "\\ ", "\\,"].iter().any(|space| after.trim_start().starts_with(space));
@@ -104,6 +110,7 @@ fn ends_a_clause(text: &str, at: usize) -> bool {
 }
 
 /// Whether an arrow outside of braces stands after an equality and before another one, or before the end of a text.
+#[cfg(feature = "cli")]
 fn is_between_equalities(text: &str, at: usize, arrow: &str) -> bool {
     let (before, after) = (&text[..at], &text[at + arrow.len()..]);
     let depth = |text: &str| {
@@ -115,6 +122,7 @@ fn is_between_equalities(text: &str, at: usize, arrow: &str) -> bool {
 }
 
 /// Whether words stand between statements: there are several, and no sign that binds them is beside them.
+#[cfg(feature = "cli")]
 fn is_between_statements(text: &str, (start, end): (usize, usize), words: &str) -> bool {
     const KNOWN: [&str; 13] = [
         "const", "is ", "and", "if", "for", "when", "whenever", "provided", "with", "where", "const.", "so that", "all",
@@ -145,6 +153,7 @@ fn is_between_statements(text: &str, (start, end): (usize, usize), words: &str) 
         && words.chars().filter(|c| c.is_alphabetic()).count() > 2
 }
 
+#[cfg(feature = "cli")]
 fn between_digits(text: &str, at: usize, length: usize) -> bool {
     let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
     digit(text[..at].chars().next_back()) && digit(text[at + length..].chars().next())
