@@ -205,6 +205,7 @@ fn a_linearised_equation_may_be_printed_as_an_equality_where_the_words_say_so() 
     // The twins: without the words, with words of another sentence, and with a slip.
     assert_eq!(said("We find", law, json!({})), Refuted);
     assert_eq!(said("The angle is small. In general", law, json!({})), Refuted);
+    assert_eq!(said("For oscillations that are not small", law, json!({})), Refuted);
     assert_eq!(said("For small oscillations", r"\ddot\theta = -\frac{g}{2l}\theta", json!({})), Refuted);
     assert_eq!(said("For small oscillations", r"\ddot\theta = \frac gl\theta", json!({})), Refuted);
 }

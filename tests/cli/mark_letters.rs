@@ -1,19 +1,7 @@
 //! `onshell mark`, where a line fails only since a letter means something else in the problem, or since nothing there decides:
 //! it is not wrong. Beside each such line stands one that is.
 
-use crate::support::Desk;
-
-/// The marks of the lines of a hand-in.
-fn marks(name: &str, (notes, claims): (&str, &str), lines: &str) -> Vec<String> {
-    let desk = Desk::new(&format!("mark-letters-{name}"));
-    desk.write("p.md", notes);
-    desk.write("p.json", claims);
-    desk.write("one.md", lines);
-    let run = desk.onshell(&["mark", "one.md", "--claims", "p.json", "--format", "json"]);
-    let report = run.json();
-    let rows = report["rows"].as_array().unwrap().iter().filter(|row| !row["line"].is_null());
-    rows.map(|row| row["mark"].as_str().unwrap().to_owned()).collect()
-}
+use crate::support::marks;
 
 /// A capacitor that is charged through a resistor.
 const CHARGING: (&str, &str) = (

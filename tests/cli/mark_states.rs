@@ -1,19 +1,7 @@
 //! `onshell mark`, where a line speaks of a special state: an instant, a case, a place of rest, small motion; and where a step
 //! goes on from a false line there. Beside each true line stands one that must not be right.
 
-use crate::support::Desk;
-
-/// The marks of the lines of a hand-in.
-fn marks(name: &str, (notes, claims): (&str, &str), lines: &str) -> Vec<String> {
-    let desk = Desk::new(&format!("mark-states-{name}"));
-    desk.write("p.md", notes);
-    desk.write("p.json", claims);
-    desk.write("one.md", lines);
-    let run = desk.onshell(&["mark", "one.md", "--claims", "p.json", "--format", "json"]);
-    let report = run.json();
-    let rows = report["rows"].as_array().unwrap().iter().filter(|row| !row["line"].is_null());
-    rows.map(|row| row["mark"].as_str().unwrap().to_owned()).collect()
-}
+use crate::support::marks;
 
 /// A disc that unrolls from a thread: the laws leave the start open.
 const DISC: (&str, &str) = (

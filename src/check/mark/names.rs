@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::formula::symbols::Name;
-use crate::formula::{Kind, Symbols};
+use crate::formula::{Kind, SymbolId, Symbols};
 use crate::latex::names;
 
 use crate::check::model::Model;
@@ -18,6 +18,17 @@ pub(super) struct Names {
     pub names: Vec<(Name, Role, bool)>,
     /// Those of them that do not change with time.
     pub fixed: Vec<Name>,
+}
+
+/// What changes with time in a problem.
+pub(super) fn moving(model: &Model) -> Vec<SymbolId> {
+    let changes = |id: &SymbolId| {
+        matches!(
+            model.meaning(*id),
+            Some(Meaning::Coordinate(_) | Meaning::Varying(_) | Meaning::Time | Meaning::System(_))
+        )
+    };
+    model.symbols.iter().map(|(id, _)| id).filter(changes).collect()
 }
 
 /// A name of the problem, or its rate, for which a name of a hand-in stands.
@@ -70,17 +81,7 @@ impl Names {
             };
             names.push((entry.name.clone(), role, entry.angle));
         }
-        let moving: Vec<_> = model.symbols.iter().map(|(id, _)| id).collect();
-        let moving: Vec<_> = moving
-            .into_iter()
-            .filter(|id| {
-                let meaning = model.meaning(*id);
-                matches!(
-                    meaning,
-                    Some(Meaning::Coordinate(_) | Meaning::Varying(_) | Meaning::Time | Meaning::System(_))
-                )
-            })
-            .collect();
+        let moving = moving(model);
         let is_fixed = |name: &Name| {
             let Some((id, _)) = model.symbols.find(name) else { return false };
             !moving.contains(&id)

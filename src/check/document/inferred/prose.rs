@@ -240,14 +240,17 @@ pub(crate) fn follows_condition(notes: &Notes, span: Span) -> bool {
     last(&words_before(notes, span), &CONDITION).is_some()
 }
 
-/// Whether the sentence before a display speaks of small motion, as "for small oscillations" does.
+/// Whether the sentence before a display speaks of small motion, as "for small oscillations" does, and does not deny it: "no longer
+/// small".
 pub(crate) fn speaks_of_small(notes: &Notes, span: Span) -> bool {
     let start = notes.equations.iter().map(|display| display.span).find(|display| display.contains(span));
     // A display of an edited text may stand where the notes have ended.
     let before = notes.source.text.get(..start.map_or(span.start, |display| display.start)).unwrap_or_default();
     let words = words_before(notes, Span::at(before.trim_end().len()));
-    words.iter().any(|word| word == "small" || word.starts_with("lineari"))
-        || words.windows(2).any(|two| two == ["first", "order"])
+    let is_denied =
+        words.iter().any(|word| ["no", "not", "never", "without", "beyond", "nonlinear"].contains(&word.as_str()));
+    let is_said = words.iter().any(|word| word == "small" || word.starts_with("lineari"));
+    !is_denied && (is_said || words.windows(2).any(|two| two == ["first", "order"]))
 }
 
 /// The last place of one of these words.

@@ -8,6 +8,7 @@ use crate::notes::claims::Lost;
 use crate::source::Span;
 
 use crate::check::mark::given::Implied;
+use crate::check::mark::names::moving;
 use crate::check::mark::slip;
 use crate::check::mark::status::{Status, composed};
 use crate::check::mark::written::single_letters;
@@ -30,8 +31,7 @@ impl Judge<'_, '_> {
     }
 
     /// Whether a line that does not hold may be true, since it has quantities of the student's own of which no line says what
-    /// they are: then only a symbol in the place of
-    /// another one shows that it is false.
+    /// they are: then only a symbol in the place of another one shows that it is false.
     pub(super) fn leaves_open(&self, at: usize, reading: &Reading) -> Result<bool> {
         let is_mistyped = |edit: &slip::Corrected| edit.slip.lost == Lost::Symbol;
         let is_open = !self.unknown(reading).is_empty();
@@ -111,7 +111,7 @@ impl Judge<'_, '_> {
     /// Why a link says nothing of what the problem determines.
     fn open_link(&self, pair: &[Expr]) -> Option<String> {
         let model = self.quiet.model;
-        let moving = self.moving();
+        let moving = moving(model);
         let is_fixed = |id: SymbolId| {
             matches!(model.meaning(id), Some(Meaning::Constant(_) | Meaning::Defined(_)))
                 && !model.depends_on(&symbol(id), &moving)
@@ -133,7 +133,8 @@ impl Judge<'_, '_> {
     /// Why a link is not judged after a condition that the problem does not meet: what moves may then move in another way.
     fn after_a_break(&self, pair: &[Expr]) -> Option<String> {
         let (_, name) = self.breaks.last()?;
-        let names = self.moving().into_iter().chain(self.breaks.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
+        let names =
+            moving(self.quiet.model).into_iter().chain(self.breaks.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
         let is_about = pair.iter().any(|side| self.quiet.model.depends_on(side, &names));
         is_about.then(|| format!("{name} says what the problem does not, and this may follow from it"))
     }
@@ -152,17 +153,6 @@ impl Judge<'_, '_> {
         fails.then(|| {
             "it holds for some values of the quantities, and the problem does not say which they have".to_owned()
         })
-    }
-
-    /// What changes with time in the problem.
-    fn moving(&self) -> Vec<SymbolId> {
-        let model = self.quiet.model;
-        let all = model.symbols.iter().map(|(id, _)| id);
-        all.filter(|id| {
-            let meaning = model.meaning(*id);
-            matches!(meaning, Some(Meaning::Coordinate(_) | Meaning::Varying(_) | Meaning::Time | Meaning::System(_)))
-        })
-        .collect()
     }
 
     fn shown(&self, id: SymbolId) -> String {
