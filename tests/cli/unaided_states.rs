@@ -79,3 +79,17 @@ fn what_is_constant_on_another_process_is_no_slip() {
     let (found, report) = verdicts("isotherm", &adiabat(r"S - nR\ln V = \text{const}"));
     assert_eq!(found[2], "assumed", "{report}");
 }
+
+#[test]
+fn of_two_constants_that_contradict_each_other_nobody_knows_which_is_wrong() {
+    let page = |second: &str| {
+        let third = r"T p^{(1 - \gamma)/\gamma} = \text{const}";
+        format!(
+            "On an adiabat\n\n$$ pV^\\gamma = \\text{{const}} $$\n\nso that\n\n$$ {second} $$\n\nand therefore\n\n$$ {third} $$\n"
+        )
+    };
+    assert_eq!(verdicts("constants", &page(r"TV^{\gamma - 1} = \text{const}")).0[2], "verified");
+    let (found, report) = verdicts("constants-slip", &page(r"TV^{1 - \gamma} = \text{const}"));
+    assert_eq!(found[1..], ["undecided", "undecided"], "{report}");
+    assert!(report.contains("contradiction"), "{report}");
+}

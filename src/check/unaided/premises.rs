@@ -52,6 +52,8 @@ pub(super) enum Said {
     Whole,
     /// One of several statements of its display: its LaTeX.
     Part(String),
+    /// That a formula is constant: its LaTeX.
+    Constant(String),
     /// A law in each of several states: its LaTeX in each.
     States(Vec<String>),
 }
@@ -164,10 +166,16 @@ pub(super) fn claim(premises: &[&Premise]) -> Claim {
     let said = |premise: &&Premise| match &premise.said {
         Said::Whole => vec![premise.id.clone()],
         Said::Part(part) => vec![part.clone()],
+        Said::Constant(formula) => vec![is_constant(formula)],
         Said::States(all) => all.clone(),
     };
     let throughout = premises.iter().flat_map(said).map(|text| Spanned::new(text, Span::default())).collect();
     Claim { throughout, ..Claim::default() }
+}
+
+/// The equation that a formula is constant.
+pub(super) fn is_constant(formula: &str) -> String {
+    format!("\\frac{{d}}{{dt}}\\left({formula}\\right) = 0")
 }
 
 impl PartialEq for Premise {

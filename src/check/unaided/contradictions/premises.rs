@@ -43,14 +43,16 @@ pub(in crate::check::unaided) fn weighed(course: &Course<'_, '_>, found: &mut [E
         equation.is_some_and(|equation| equation.finding.verdict == Verdict::Refuted)
     };
     let mut suspicions = Vec::new();
-    // Slips in what is constant are in exponents; a law that would do with another one is none the worse for that.
-    let is_constant = |at: usize| {
+    // What is constant is weighed against what else is; a law that would do with another exponent is none the worse for that.
+    let says_constant = |at: usize| {
         course.checker.readings[at].statements.iter().flatten().any(|statement| statement.constant.is_some())
     };
-    for (at, set) in course.blamed.iter().filter(|(at, _)| is_wrong(*at, found) && !is_constant(*at)) {
+    for (at, set) in course.blamed.iter().filter(|(at, _)| is_wrong(*at, found)) {
         let is_common_here = found[at - first].repairs.iter().any(|repair| is_common(repair.slip));
         for premise in set {
-            let is_open = !premise.is_inline && premise.at >= first && !course.confirmed.contains(&premise.at);
+            let is_alike = matches!(premise.said, Said::Constant(_)) || !says_constant(*at);
+            let is_open =
+                is_alike && !premise.is_inline && premise.at >= first && !course.confirmed.contains(&premise.at);
             if let Some(repair) = is_open.then(|| edited(course, *at, set, premise)).transpose()?.flatten() {
                 suspicions.push((is_common_here, Suspicion { by: *at, premise: premise.at, repair }));
             }
@@ -92,11 +94,15 @@ fn edited(course: &Course<'_, '_>, at: usize, set: &[Premise], premise: &Premise
     let (symbols, macros) = (&checker.model.symbols, &checker.model.macros);
     let others = set.iter().filter(|other| *other != premise);
     let others: Vec<&Premise> = others.collect();
+    let is_formula = matches!(premise.said, Said::Constant(_));
     for statement in checker.readings[premise.at].statements.iter().flatten() {
-        let span = statement.span;
+        let span = match (&premise.said, statement.members.last()) {
+            (Said::Constant(_), Some(formula)) => formula.span,
+            _ => statement.span,
+        };
         let Some(text) = display.text.get(span.range()) else { continue };
         match &premise.said {
-            Said::Part(part) if part != text => continue,
+            Said::Part(part) | Said::Constant(part) if part != text => continue,
             // The law of which these are the states is another premise.
             Said::States(_) => return Ok(None),
             _ => {}
@@ -112,7 +118,9 @@ fn edited(course: &Course<'_, '_>, at: usize, set: &[Premise], premise: &Premise
         });
         edits.sort_by_key(|edit| rank(text, edit, false));
         for edit in edits.into_iter().take(TRIED) {
-            let said = std::iter::once(edit.applied(text)).chain(beside.iter().cloned());
+            let edited = edit.applied(text);
+            let edited = if is_formula { premises::is_constant(&edited) } else { edited };
+            let said = std::iter::once(edited).chain(beside.iter().cloned());
             let said = said.map(|text| Spanned::new(text, Span::default()));
             let throughout = premises::claim(&others).throughout.into_iter().chain(said).collect();
             let claim = Claim { throughout, ..Claim::default() };

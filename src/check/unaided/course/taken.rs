@@ -65,7 +65,7 @@ impl Course<'_, '_> {
         let premise = Premise {
             at,
             id: id.to_owned(),
-            said: Said::Part(format!("\\frac{{d}}{{dt}}\\left({text}\\right) = 0")),
+            said: Said::Constant(text.to_owned()),
             symbols: self.symbols_of(&[statement]),
             equalities: 1,
             is_inline: inline::is_inline(self.checker.notes, display),
