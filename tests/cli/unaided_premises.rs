@@ -94,3 +94,79 @@ fn a_condition_at_the_end_of_a_chain_is_no_claim() {
     assert!(!right.contains(&"refuted".to_owned()), "{right:?}");
     assert_eq!(verdicts("peak-slip", &peak(r"4 p(q^2 - p^2) + 2 b^2 p"))[1], "refuted");
 }
+
+#[test]
+fn what_stands_between_bars_is_negative() {
+    let ellipse = |axis: &str| {
+        format!(
+            "$$ p = \\frac{{M^2}}{{m\\alpha}}, \\qquad e = \\sqrt{{1 + \\frac{{2EM^2}}{{m\\alpha^2}}}} $$\n\nThe orbit is an ellipse with\n\n\
+             $$ a = \\frac{{p}}{{1 - e^2}} = {axis} $$\n"
+        )
+    };
+    assert_eq!(verdicts("bars", &ellipse(r"\frac{\alpha}{2|E|}"))[1], "verified");
+    assert_eq!(verdicts("bars-slip", &ellipse(r"\frac{\alpha}{|E|}"))[1], "refuted");
+}
+
+#[test]
+fn one_relation_between_many_symbols_is_enough_for_a_slip() {
+    let momenta = |square: &str| {
+        format!(
+            "$$ p = b\\cos\\theta + a\\cos\\phi \\tag{{1}} $$\n\n$$ 0 = b\\sin\\theta - a\\sin\\phi \\tag{{2}} $$\n\n\
+             Now square and add.\n\n$$ {square} $$\n"
+        )
+    };
+    let right = verdicts("squared", &momenta(r"a^2 = p^2 + b^2 - 2pb\cos\theta"));
+    assert!(matches!(right[2].as_str(), "verified" | "certified"), "{right:?}");
+    assert_eq!(verdicts("squared-slip", &momenta(r"a^2 = p^2 + b^2 + 2pb\cos\theta"))[2], "refuted");
+    // Another relation of the same names that is no slip away.
+    assert_eq!(verdicts("squared-other", &momenta(r"a^2 = p b \cos\theta"))[2], "assumed");
+}
+
+#[test]
+fn an_equation_for_a_new_name_is_no_slip_for_another_one() {
+    let page = r"$$ \omega_s = \sqrt{\frac{k}{m}}, \qquad \omega_f = \sqrt{\frac{k + 2\kappa}{m}} $$
+
+Try $x_1 = Ae^{i\omega t}$. A solution needs a vanishing determinant,
+
+$$ (k + \kappa - m\omega^2)^2 - \kappa^2 = 0 \quad\Longrightarrow\quad k + \kappa - m\omega^2 = \pm\kappa $$
+";
+    let found = verdicts("secular", page);
+    assert!(!found.contains(&"refuted".to_owned()), "{found:?}");
+}
+
+#[test]
+fn a_chain_is_not_corrected_with_the_name_that_it_introduces() {
+    let action = |value: &str| {
+        format!(
+            "$$ J = \\frac{{1}}{{2\\pi}}\\oint p\\,dq = \\frac{{P}}{{\\pi}}\\int_0^{{2\\pi}}\\cos^2 Q\\,dQ = {value} $$\n"
+        )
+    };
+    assert_eq!(verdicts("action", &action("P"))[0], "assumed");
+    assert_eq!(verdicts("action-slip", &action(r"\frac{P}{2}"))[0], "refuted");
+}
+
+#[test]
+fn beside_a_lagrangian_relations_between_constants_are_judged_as_elsewhere() {
+    let orbit = |axis: &str| {
+        format!(
+            "The Lagrangian is\n\n$$ L = \\frac{{m}}{{2}}(\\dot r^2 + r^2\\dot\\varphi^2) + \\frac{{k}}{{r}} $$\n\nThe apsides are\n\n\
+             $$ r_1 = \\frac{{p}}{{1 + e}}, \\qquad r_2 = \\frac{{p}}{{1 - e}} $$\n\nHence\n\n$$ 2a = r_1 + r_2 = {axis} $$\n"
+        )
+    };
+    let right = verdicts("axis", &orbit(r"\frac{2p}{1 - e^2}"));
+    assert!(!right.contains(&"refuted".to_owned()), "{right:?}");
+    assert_eq!(verdicts("axis-slip", &orbit(r"\frac{p}{1 - e^2}"))[2], "refuted");
+}
+
+#[test]
+fn a_formula_for_a_name_that_contains_the_name_has_lost_a_prime() {
+    let photon = |name: &str| {
+        format!(
+            "$$ E = h\\nu, \\qquad E' = h\\nu' $$\n\n$$ \\frac{{1}}{{E'}} - \\frac{{1}}{{E}} = \\frac{{1 - \\cos\\theta}}{{m}} $$\n\nHence\n\n\
+             $$ {name} = \\frac{{E}}{{1 + \\frac{{E}}{{m}}(1 - \\cos\\theta)}} $$\n"
+        )
+    };
+    let right = verdicts("prime", &photon("E'"));
+    assert!(!right.contains(&"refuted".to_owned()), "{right:?}");
+    assert_eq!(verdicts("prime-slip", &photon("E"))[2], "refuted");
+}

@@ -85,3 +85,80 @@ fn the_values_of_an_index_beside_a_statement_are_no_statement() {
         assert!(out.contains("n = 3") || out.contains("unreadable"), "{list}: {out}");
     }
 }
+
+#[test]
+fn the_argument_of_a_sine_ends_where_authors_end_it() {
+    for (at, (display, expected)) in [
+        (r"x = A\cos v t", "cos(v·t)"),
+        (r"y = b \sin n\pi", "sin(n·π)"),
+        (r"\rho = R\sin\tfrac12(\pi - \chi)", "sin((1/2)·(π − χ))"),
+        (r"y = A \cos 2(\alpha + \beta)", "cos(2·(α + β))"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let out = readings(&format!("ends-{at}"), &[display]);
+        assert!(out.contains(expected), "{display}: {out}");
+    }
+    // near misses: two letters, and a factor after a parenthesis
+    for (at, display) in [r"y = \cos a b", r"y = A \cos 2(\alpha + \beta) c"].into_iter().enumerate() {
+        let out = readings(&format!("unclear-end-{at}"), &[display]);
+        assert!(out.contains("unreadable"), "{display}: {out}");
+    }
+}
+
+#[test]
+fn a_comma_in_braces_separates_decimals() {
+    let out = readings("comma", &[r"a = 7{,}29 \times 10^{-5}", r"b = 0{,}629 \cdot c", "d = 2{,}5"]);
+    assert!(out.contains("7.29·10^(−5)") && out.contains("0.629·c") && out.contains("2.5"), "{out}");
+    // three digits may be thousands
+    let out = readings("thousands", &[r"a = 1{,}458 b"]);
+    assert!(out.contains("unreadable"), "{out}");
+}
+
+#[test]
+fn e_with_a_decimal_exponent_is_an_exponential() {
+    let out = readings("decimal", &[r"x = e^{3.194} \approx 24.4"]);
+    assert!(out.contains("verified") && !out.contains("unreadable"), "{out}");
+    let out = readings("decimal-slip", &[r"x = e^{3.149} \approx 24.4"]);
+    assert!(out.contains("numbers-differ"), "{out}");
+    let out = readings("figure", &["F = e^2 a"]);
+    assert!(out.contains("may be the exponential"), "{out}");
+}
+
+#[test]
+fn a_joule_per_mole_and_kelvin_is_one_unit() {
+    let gas = |energy: &str| {
+        format!(
+            r"Q = (2.00\ \text{{mol}})(8.314\ \text{{J/mol}}\cdot\text{{K}})(300\ \text{{K}}) = {energy}\times 10^{{3}}\ \text{{J}}"
+        )
+    };
+    let out = readings("mole", &[&gas("4.99")]);
+    assert!(!out.contains("unreadable") && !out.contains("refuted"), "{out}");
+    let out = readings("mole-slip", &[&gas("4.19")]);
+    assert!(out.contains("refuted"), "{out}");
+    let out = readings("metres", &[r"p = 3.0\ \text{m/s}\cdot\text{kg}"]);
+    assert!(out.contains("may divide by the next unit only"), "{out}");
+}
+
+#[test]
+fn a_star_is_a_mark_where_no_number_is_complex() {
+    let out = readings("star", &[r"t^* = \frac{\pi}{a - b}", r"x = c t^*"]);
+    assert!(!out.contains("unreadable"), "{out}");
+    let out = readings("conjugate", &[r"\psi = A e^{i k x}", r"P = a^* a"]);
+    assert!(out.contains("unreadable"), "{out}");
+}
+
+#[test]
+fn a_macro_with_arguments_is_taken_whole_where_statements_are_taken_apart() {
+    let desk = Desk::new("readings-macro");
+    let notes = r"\newcommand{\rt}[1]{\sqrt{#1}}
+The frequency follows:
+\begin{equation}
+  m \omega^2 = k \quad\Longrightarrow\quad \omega = \rt{\frac{k}{m}}
+\end{equation}
+";
+    desk.write("a.tex", notes);
+    let out = desk.onshell(&["check", "-v", "a.tex"]).out;
+    assert!(!out.contains("unreadable") && out.contains("√(k/m)"), "{out}");
+}

@@ -89,3 +89,30 @@ fn what_solves_another_equation_is_not_called_wrong() {
         assert_ne!(verdict, "refuted", "{page:?}");
     }
 }
+
+#[test]
+fn values_with_an_index_are_roots_of_an_earlier_relation() {
+    for (at, [law, roots, slipped]) in [
+        [
+            r"s^2 + 2\gamma s + \omega_0^2 = 0",
+            r"s_{1,2} = -\gamma \pm \sqrt{\gamma^2 - \omega_0^2}",
+            r"s_{1,2} = -\gamma \pm \sqrt{\gamma^2 + \omega_0^2}",
+        ],
+        [
+            r"\omega L - \frac{1}{\omega C} = R",
+            r"\omega_+ = \frac{R}{2L} + \sqrt{\frac{R^2}{4L^2} + \frac{1}{LC}}",
+            r"\omega_+ = \frac{R}{2L} + \sqrt{\frac{R^2}{4L^2} - \frac{1}{LC}}",
+        ],
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let (verdict, _) = last(&format!("roots-{at}"), &[law, roots]);
+        assert!(matches!(verdict.as_str(), "verified" | "certified"), "{roots}: {verdict}");
+        let (verdict, _) = last(&format!("roots-slip-{at}"), &[law, slipped]);
+        assert_eq!(verdict, "refuted", "{slipped}");
+    }
+    // another relation, and another letter
+    let (verdict, _) = last("no-roots", &[r"s^2 + 2\gamma s + \omega_0^2 = 0", r"u_{1,2} = -\gamma \pm b"]);
+    assert_ne!(verdict, "refuted");
+}

@@ -214,7 +214,17 @@ impl Checker<'_> {
     pub(crate) fn is_unknown_of(&self, member: &Expr, claim: &Claim) -> Result<bool> {
         let Some(solves) = &claim.solves else { return Ok(false) };
         let unknowns: Result<Vec<SymbolId>> = solves.unknowns.iter().map(|unknown| self.symbol(unknown)).collect();
-        Ok(member.as_plain_symbol().is_some_and(|id| unknowns.is_ok_and(|unknowns| unknowns.contains(&id))))
+        let name = |id: SymbolId| &self.model.symbols.entry(id).name;
+        // s_1 and s_± are values of s.
+        let is_value = |id: SymbolId, unknown: SymbolId| {
+            let (value, unknown) = (name(id), name(unknown));
+            value.base == unknown.base
+                && value.primes == unknown.primes
+                && value.subscript.starts_with(&unknown.subscript)
+        };
+        let is_one =
+            |id: SymbolId| unknowns.is_ok_and(|unknowns| unknowns.iter().any(|unknown| is_value(id, *unknown)));
+        Ok(member.as_plain_symbol().is_some_and(is_one))
     }
 }
 

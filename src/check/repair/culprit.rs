@@ -6,7 +6,7 @@
 //! nobody can tell.
 
 use crate::Result;
-use crate::formula::Expr;
+use crate::formula::{Expr, Node, Symbols, text};
 use crate::latex::DefinedSymbol;
 use crate::latex::slips::{self, Edit, Pool, Slip};
 use crate::notes::claims::Claim;
@@ -87,7 +87,7 @@ impl Checker<'_> {
             let Some(formulas) = self.new_definitions(at, claim, &text) else { continue };
             let is_same =
                 introduced.iter().zip(&formulas).all(|(was, is)| formulas::same(&was.formula, is, self.model));
-            if is_same {
+            if is_same || formulas.iter().any(|formula| cancels(formula, symbols)) {
                 continue;
             }
             let (mut holds, mut breaks, mut others) = (true, false, Vec::new());
@@ -129,6 +129,18 @@ impl Checker<'_> {
         }
         Ok(best)
     }
+}
+
+/// Whether a term of a sum cancels another one, as in x − x: nobody writes that.
+fn cancels(formula: &Expr, symbols: &Symbols) -> bool {
+    let mut found = false;
+    formula.walk(&mut |part| {
+        let Node::Sum(terms) = &part.node else { return };
+        let shown: Vec<String> = terms.iter().map(|term| text::formula(&term.expr, symbols)).collect();
+        found |= (0..terms.len())
+            .any(|at| (0..at).any(|before| terms[before].sign != terms[at].sign && shown[before] == shown[at]));
+    });
+    found
 }
 
 /// Whether an edit corrects what authors often type wrongly.

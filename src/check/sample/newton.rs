@@ -174,7 +174,11 @@ impl<'m> Projection<'m> {
         let planned = (n > 0).then(|| planned.lu());
         let (mut vanishing, mut other, mut outside): (Option<usize>, _, _) = (None, None, None);
         for slot in candidates {
-            if vanishing.is_some_and(|known| class(&self.slots[known]) > class(&self.slots[slot])) {
+            // A premise about rates is about a process, in which what it relates does change: p dV = n R T dV/V says what p is.
+            let is_rate = |slot: &Slot| self.is_limited() && !slot.constant && slot.order > 0;
+            if vanishing.is_some_and(|known| {
+                class(&self.slots[known]) > class(&self.slots[slot]) && !is_rate(&self.slots[known])
+            }) {
                 break;
             }
             let Some(column) = self.column(base, slot, &rows)? else { continue };

@@ -2,7 +2,7 @@
 //!
 //! Nobody declares units in notes, but each equation says that its terms have one dimension. A display that makes a name a
 //! pure number, which it is not by all other displays together, is in conflict with them. It is called wrong only if one
-//! other exponent makes its dimensions follow from the other displays, and if the conflict stays whichever other display is
+//! other exponent, or a dot more or less, makes its dimensions follow from the other displays, and if the conflict stays whichever other display is
 //! left out: of two statements that contradict each other nobody knows which one is right.
 //!
 //! Notes in natural units, where c = 1, are not called wrong: no exponent of a name that is printed makes up for one that is
@@ -102,6 +102,34 @@ fn other_powers(text: &str) -> Vec<Edit> {
     found
 }
 
+/// Whether a correction of a display contradicts the dimensions of the other displays, and the display as it is printed does not.
+pub(super) fn are_spoilt(checker: &Checker<'_>, at: usize, repair: &Repair) -> bool {
+    let (symbols, display) = (&checker.model.symbols, &checker.notes.equations[at]);
+    if checker.readings.len() > MOST || !display.body.contains(repair.span) {
+        return false;
+    }
+    let mut others = UnitCheck::new(symbols);
+    let mut known = BTreeSet::new();
+    for statements in (0..checker.readings.len()).filter(|other| *other != at).filter_map(|at| statements(checker, at))
+    {
+        statements.iter().for_each(|statement| drop(others.statement(statement)));
+        known.extend(symbols_of(&statements));
+    }
+    let faults = |text: &str| {
+        let mut table = symbols.clone();
+        let reading = read_display(text, &mut table, &checker.model.macros);
+        let mut check = UnitCheck::new(&table);
+        check.inference = others.inference.clone();
+        let misfits =
+            reading.statements.iter().flatten().map(|statement| check.statement(statement).len()).sum::<usize>();
+        misfits + known.iter().filter(|id| check.inference.is_pure_number(**id)).count()
+    };
+    let span = Span::new(repair.span.start - display.body.start, repair.span.end - display.body.start);
+    let mut corrected = display.text.clone();
+    corrected.replace_range(span.range(), &repair.replacement);
+    faults(&corrected) > faults(&display.text)
+}
+
 fn symbols_of(statements: &[&Statement]) -> BTreeSet<SymbolId> {
     let members = statements.iter().flat_map(|statement| &statement.members);
     members.flat_map(Expr::symbols).map(|(id, _)| id).collect()
@@ -161,7 +189,7 @@ fn conflict(checker: &Checker<'_>, at: usize, all: &[(usize, Vec<&Statement>)]) 
             && check.inference.requirements() <= before + new
     };
     let edits = slips(&display.text, symbols, &checker.model.macros);
-    let likely = edits.into_iter().filter(|edit| edit.slip == Slip::Exponent);
+    let likely = edits.into_iter().filter(|edit| matches!(edit.slip, Slip::Exponent | Slip::Dot));
     let edit = likely.chain(other_powers(&display.text)).find(fits)?;
     Some(Conflict { at, names, edit })
 }

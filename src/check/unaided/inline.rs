@@ -125,7 +125,11 @@ fn name(display: &Display, macros: &Macros) -> Option<String> {
     let is_more = names.len() > 1 || right.contains(['^', '/', '+', '-']) || right.contains("\\frac");
     let stands_alone = !only.moves && !is_known(only) && only.arguments.is_none();
     let is_other = !names.is_empty() && names.iter().all(|usage| usage.name != only.name);
-    (stands_alone && is_other && is_more).then(|| only.name.to_string())
+    // Decimals are those of a measurement.
+    let is_measured = right.split('.').collect::<Vec<_>>().windows(2).any(|pair| {
+        pair[0].ends_with(|c: char| c.is_ascii_digit()) && pair[1].starts_with(|c: char| c.is_ascii_digit())
+    });
+    (stands_alone && is_other && is_more && !is_measured).then(|| only.name.to_string())
 }
 
 /// Whether a formula is a sum of names that displays give formulas, as L = T − V.

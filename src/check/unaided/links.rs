@@ -6,8 +6,10 @@
 
 use crate::check::document::checker::Checker;
 use crate::check::model::claim::is_equality;
+use crate::check::unaided::course::taken::is_static;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
+use crate::code::Code;
 use crate::formula::Statement;
 use crate::notes::{Display, Notes, Numbered};
 use crate::source::Span;
@@ -29,7 +31,8 @@ pub(super) fn apart(checker: &Checker<'_>, first: usize, found: &[Equation]) -> 
     apart.notes.equations.truncate(first + found.len());
     for (place, equation) in found.iter().enumerate() {
         let at = first + place;
-        if equation.finding.verdict != Verdict::Assumed {
+        // Beside a motion, a step may hold for one case of it only.
+        if !is_open(equation) || checker.model.system.is_some() && !is_static(checker, at) {
             continue;
         }
         let chains = checker.readings[at].statements.iter().flatten().filter(|statement| {
@@ -50,6 +53,12 @@ pub(super) fn apart(checker: &Checker<'_>, first: usize, found: &[Equation]) -> 
         }
     }
     (!apart.origins.is_empty()).then_some(apart)
+}
+
+/// Whether a chain as a whole was taken for granted, or left open since nothing gives a formula that is differentiated in it.
+fn is_open(chain: &Equation) -> bool {
+    chain.finding.verdict == Verdict::Assumed
+        || chain.finding.verdict == Verdict::Undecided && chain.finding.code == Code::NotDecided
 }
 
 /// One equality of a chain as a display.
@@ -82,7 +91,7 @@ fn alone(display: &Display, statement: &Statement, link: usize) -> Option<Displa
 pub(super) fn merged(found: &mut [Equation], first: usize, apart: &Apart, links: &[Equation]) {
     for (origin, link) in apart.origins.iter().zip(links) {
         let Some(chain) = origin.checked_sub(first).and_then(|place| found.get_mut(place)) else { continue };
-        if link.finding.verdict == Verdict::Refuted && chain.finding.verdict == Verdict::Assumed {
+        if link.finding.verdict == Verdict::Refuted && is_open(chain) {
             *chain = Equation {
                 finding: link.finding.clone(),
                 repairs: link.repairs.clone(),

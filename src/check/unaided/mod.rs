@@ -14,6 +14,7 @@
 //! Offers [`unaided`], [`draft`] for the inferred claims as a file, and `guessed` for the check with such a file. Knows all
 //! other folders of `check`.
 
+mod complex;
 mod contradictions;
 mod course;
 mod dimensions;
@@ -153,9 +154,7 @@ fn with_links(
     scope: &scope::Scope,
     mut found: Vec<Equation>,
 ) -> Result<Vec<Equation>> {
-    let chains = with_checker(run, claims, notes, |checker| {
-        Ok((checker.model.system.is_none()).then(|| links::apart(&checker, scope.carried, &found)).flatten())
-    })?;
+    let chains = with_checker(run, claims, notes, |checker| Ok(links::apart(&checker, scope.carried, &found)))?;
     let Some(apart) = chains else { return Ok(found) };
     let known = |at: usize| match at.checked_sub(scope.carried) {
         Some(place) => found.get(place).cloned(),
@@ -260,6 +259,9 @@ fn with_ids(notes: &Notes) -> Notes {
     let mut notes = notes.clone();
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
+    if !complex::are_spoken_of(&notes) {
+        notes.equations.iter_mut().for_each(|display| display.text = complex::without_stars(&display.text));
+    }
     let displays = notes.equations.iter().flat_map(|display| statements_of(display, &notes, &macros)).collect();
     notes.equations = inline::with_definitions(&notes, displays, &macros);
     let mut known: HashSet<String> = HashSet::new();

@@ -10,6 +10,7 @@ use crate::check::model::Model;
 use crate::check::model::meaning::Meaning;
 use crate::check::unaided::premises::{Premise, Said};
 use crate::check::verdict::report::Equation;
+use crate::formula::symbols::Name;
 use crate::formula::{Expr, Relation, Statement, SymbolId};
 use crate::latex::Reading;
 use crate::notes::Address;
@@ -38,8 +39,9 @@ pub(super) fn solved<'p>(
     readings: &[Reading],
     model: &Model,
 ) -> Vec<Solution<'p>> {
-    let Some(unknown) = unknown(&readings[at], model) else { return Vec::new() };
+    let Some(unknown) = unknown(&readings[at], model).or_else(|| root(&readings[at], model)) else { return Vec::new() };
     let name = model.name(unknown);
+    let roots = roots(&readings[at]);
     let is_about =
         |premise: &&Premise| premise.symbols.contains(&unknown) && !has_rate(&readings[premise.at], unknown, model);
     let about = known.iter().rev().filter(|premise| premise.said == Said::Whole).filter(is_about);
@@ -49,7 +51,10 @@ pub(super) fn solved<'p>(
             let address = Address { text: of.id.clone(), span: Span::default(), items: Vec::new() };
             let unknowns = vec![Spanned::new(name.clone(), Span::default())];
             let solves = Some(Solves { of: Solved::Equation(address), unknowns, complete: false });
-            let is_same = of.symbols.len() == symbols.len() && of.symbols.iter().all(|id| symbols.contains(id));
+            let is_other = |id: &&SymbolId| **id != unknown && !roots.contains(id);
+            let others: Vec<&SymbolId> = symbols.iter().filter(is_other).collect();
+            let related: Vec<&SymbolId> = of.symbols.iter().filter(is_other).collect();
+            let is_same = related.len() == others.len() && related.iter().all(|id| others.contains(id));
             let same_symbols = is_same && !is_formula(&readings[of.at], unknown);
             Solution { of, claim: Claim { solves, ..Claim::default() }, same_symbols }
         })
@@ -87,6 +92,39 @@ fn unknown(reading: &Reading, model: &Model) -> Option<SymbolId> {
             return None;
         }
         found = Some(id);
+    }
+    found
+}
+
+/// The names to which the statements of a display give a formula.
+fn roots(reading: &Reading) -> Vec<SymbolId> {
+    let statements = reading.statements.iter().flatten();
+    statements.filter_map(|statement| statement.members.first().and_then(Expr::as_plain_symbol)).collect()
+}
+
+/// The unknown of which a display prints the values with indices: s for `s_{1,2} = -\\gamma \\pm \\dots`, and ω for
+/// `\\omega_\\pm = \\dots`.
+pub(super) fn root(reading: &Reading, model: &Model) -> Option<SymbolId> {
+    let mut found = None;
+    for statement in &reading.statements {
+        let Ok(Statement { members, relations, .. }) = statement else { return None };
+        let (first, others) = members.split_first()?;
+        let entry = model.symbols.entry(first.as_plain_symbol()?);
+        // `\omega_m^2 = \dots` gives the square of the root.
+        if entry.squared {
+            return None;
+        }
+        let name = &entry.name;
+        let without = |length: usize| Name { subscript: name.subscript[..length].to_vec(), ..name.clone() };
+        let (unknown, _) = (0..name.subscript.len()).rev().find_map(|length| model.symbols.find(&without(length)))?;
+        let is_free = matches!(model.meaning(unknown), Some(Meaning::Constant(_) | Meaning::Varying(_)));
+        let contains = |member: &Expr| member.symbols().iter().any(|(other, _)| *other == unknown);
+        let is_equality = relations.iter().all(|(relation, _)| *relation == Relation::Equal);
+        let is_another = found.is_some_and(|found| found != unknown);
+        if !is_free || !is_equality || others.is_empty() || others.iter().any(contains) || is_another {
+            return None;
+        }
+        found = Some(unknown);
     }
     found
 }

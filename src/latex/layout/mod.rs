@@ -20,6 +20,7 @@ mod delimiters;
 mod item;
 #[cfg(feature = "notes")]
 mod lengths;
+mod numbers;
 mod parser;
 #[cfg(feature = "notes")]
 mod print;

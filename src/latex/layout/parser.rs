@@ -10,6 +10,7 @@ use super::super::lexer::{Space, Token, TokenKind};
 use super::angles::{bars_before_angle, bra_length, is_lone_bar};
 use super::delimiters::{closing, glyph, is_plain_bar, opening};
 use super::item::{Delimiter, Item, Layout, letters};
+use super::numbers::is_decimal_comma;
 use super::units;
 
 /// The most levels of groups inside groups; equations in notes have far fewer.
@@ -205,6 +206,12 @@ impl<'a> Parser<'a> {
                     digits.push(c);
                     end = token.span.end;
                     self.next();
+                }
+                // `3{,}5`, as it is written where a comma separates the decimals.
+                TokenKind::Open if !digits.contains('.') && is_decimal_comma(&self.tokens[self.at..], end, &digits) => {
+                    digits.push('.');
+                    end += "{,}".len();
+                    self.at += 3;
                 }
                 _ => break,
             }

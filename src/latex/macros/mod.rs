@@ -155,6 +155,7 @@ impl Macros {
 fn call(name: &str, definition: &Macro, span: Span, pending: &mut Vec<Token>) -> Result<Vec<Token>, Fault> {
     let count = definition.parameters.iter().filter(|parameter| parameter.has_number()).count();
     let mut values = Vec::with_capacity(count);
+    let places: Vec<Span> = if count > 0 { pending.iter().map(|token| token.span).collect() } else { Vec::new() };
     for parameter in &definition.parameters {
         let n = values.len() + 1;
         let missing = || {
@@ -163,7 +164,10 @@ fn call(name: &str, definition: &Macro, span: Span, pending: &mut Vec<Token>) ->
         };
         values.extend(parameter.take(pending).ok_or_else(missing)?);
     }
-    Ok(substitute(&definition.body, &values, span))
+    // What the macro writes stands for the call with its arguments.
+    let taken = places.get(pending.len()..).unwrap_or_default();
+    let end = taken.iter().map(|place| place.end).max().unwrap_or(span.end);
+    Ok(substitute(&definition.body, &values, Span::new(span.start, end.max(span.end))))
 }
 
 fn substitute(body: &[Token], values: &[Vec<Token>], call: Span) -> Vec<Token> {

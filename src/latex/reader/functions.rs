@@ -158,6 +158,10 @@ impl Reader<'_> {
             Run { end: start, numbers: 0, symbols: Vec::new(), stands_alone: false, is_rate: false, is_hyperbolic };
         while let Some(item) = items.get(run.end) {
             if self.is_leading_number(item, run.end == start) {
+                if self.is_multiple_of_pi(&run, item) {
+                    run.end += 1;
+                    continue;
+                }
                 if !run.symbols.is_empty() {
                     break;
                 }
@@ -198,7 +202,28 @@ impl Reader<'_> {
                 break;
             }
         }
+        // `\sin\tfrac12(\pi - \chi)`: a number before a parenthesis is a factor of what is in it.
+        let is_circular = matches!(function, Function::Sin | Function::Cos | Function::Tan);
+        let is_sum = |item: &Item| match &item.layout {
+            Layout::Fence(Delimiter::Round | Delimiter::Square, inside) => {
+                inside.iter().skip(1).any(|item| matches!(item.layout, Layout::Other('+' | '-')))
+            }
+            _ => false,
+        };
+        if is_circular && run.numbers > 0 && run.symbols.is_empty() && items.get(run.end).is_some_and(is_sum) {
+            run.end += 1;
+            run.stands_alone = true;
+        }
         Ok(run)
+    }
+
+    /// Whether an item is the π of `\sin n\pi`, where n counts.
+    fn is_multiple_of_pi(&self, run: &Run, item: &Item) -> bool {
+        let counts = |name: &Name| {
+            ["n", "m", "k", "l", "j", "p", "q", "N", "\\ell"].contains(&name.base.as_str()) && name.subscript.is_empty()
+        };
+        let is_pi = matches!(&item.layout, Layout::Command(name) if name == "\\pi");
+        is_pi && matches!(run.symbols.as_slice(), [(false, only)] if counts(only))
     }
 
     fn is_leading_number(&self, item: &Item, is_first: bool) -> bool {
@@ -215,6 +240,8 @@ impl Reader<'_> {
     fn is_settled(&self, run: &Run, items: &[Item], start: usize) -> Read<bool> {
         let sure = match run.symbols.as_slice() {
             [] | [_] | [.., (true, _)] => true,
+            // Whatever stands before the time is a factor of it: cos vt, sin nωt.
+            [.., (_, last)] if Some(last) == self.symbols.time.as_ref() => true,
             [(_, first), (_, second)] => {
                 let base = first.base.as_str();
                 // A rate times the time, and a wave number times a place.

@@ -26,6 +26,8 @@ impl Reader<'_> {
         }
         if name.base == "e" || name.base == "\\mathrm{e}" {
             let declared = self.symbols.find(name).is_some();
+            // No letter is raised to a decimal number.
+            let is_figure = |sup: &Item| is_figure(sup) && !is_decimal(sup);
             let is_power = |sup: &Item| self.symbols.inferred.charge && is_figure(sup);
             if let (false, true, Some(sup), 0) = (declared, name.subscript.is_empty(), printed.sup, printed.dots)
                 && !is_power(sup)
@@ -442,6 +444,15 @@ fn is_figure(item: &Item) -> bool {
         Layout::Other(c) => matches!(c, '-' | '+' | '/'),
         Layout::Group(items) => items.iter().all(is_figure),
         Layout::Fraction(above, below) => is_figure(above) && is_figure(below),
+        _ => false,
+    }
+}
+
+/// Whether an exponent is a decimal number that is no half.
+fn is_decimal(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Number(digits) => digits.split_once('.').is_some_and(|(_, decimals)| decimals != "5"),
+        Layout::Group(items) => items.iter().any(is_decimal),
         _ => false,
     }
 }

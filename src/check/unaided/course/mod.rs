@@ -4,8 +4,9 @@
 //! slip is sought, first without premises and then with those that it could follow from. What is no slip is taken for
 //! granted, and is a premise of what comes later. What is wrong is no premise.
 
+mod roots;
 mod slips;
-mod taken;
+pub(super) mod taken;
 
 use std::collections::{HashMap, VecDeque};
 
@@ -205,7 +206,7 @@ impl Course<'_, '_> {
         }
         let may_follow = found.finding.verdict == Verdict::Refuted || found.finding.code == Code::NoMotion;
         let Some(symbols) = self.symbols(at).filter(|_| may_follow) else {
-            return Ok(gate::as_it_counts(found));
+            return Ok(self.root(at)?.unwrap_or_else(|| gate::as_it_counts(found)));
         };
         // A formula in a sentence is a premise of the next display; it is not judged.
         if inline::is_inline(self.checker.notes, &self.checker.notes.equations[at]) {
@@ -218,6 +219,9 @@ impl Course<'_, '_> {
         words.named.extend(self.formulas_before(origin));
         let mut before: Vec<Premise> = self.known.iter().filter(|premise| premise.at < origin).cloned().collect();
         before.extend(self.in_states(at, &before));
+        if self.checker.model.system.is_some() && !taken::is_static(self.checker, at) {
+            before.clear();
+        }
         let sets = premises::sets(&before, &symbols, self.has_rates(at), &words.named);
         let positive = signs::positive(&self.checker.readings[at], &symbols, self.checker.model);
         if let Some(positive) = &positive

@@ -3,6 +3,7 @@
 use crate::Result;
 use crate::check::repair::suggest::Search;
 use crate::check::unaided::course::{Course, named};
+use crate::check::unaided::dimensions;
 use crate::check::unaided::gate::{self, Basis};
 use crate::check::unaided::premises::{Premise, Said};
 use crate::check::unaided::prose::{Announced, Words};
@@ -53,7 +54,9 @@ impl Course<'_, '_> {
         }
         let mut repairs = checker.own_repairs(at, &quick, claim, search)?;
         let is_solution = solves || basis == Basis::Solution;
-        let around = gate::Around { model: checker.model, before: &self.seen, basis, words, solves: is_solution };
+        let origin = self.scope.origin_of(at, checker.notes.equations.len());
+        let (model, before) = (checker.model, &self.seen);
+        let around = gate::Around { model, before, origin, basis, words, solves: is_solution };
         repairs.retain(|repair| gate::is_likely(repair, display, &around));
         // An inequality holds in a range that the notes need not print; only its direction can be seen to be wrong.
         if quick.finding.code == Code::InequalityFails {
@@ -74,6 +77,8 @@ impl Course<'_, '_> {
             repairs = checker.repairs_of_own_definition(self.run, at)?;
             repairs.retain(|repair| gate::is_likely(repair, display, &around));
         }
+        // No author means an equation whose terms have different dimensions.
+        repairs.retain(|repair| !dimensions::are_spoilt(checker, at, repair));
         if repairs.is_empty() {
             return Ok(None);
         }

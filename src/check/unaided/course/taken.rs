@@ -1,6 +1,9 @@
 //! Displays that become premises of what comes later.
 
+use crate::check::document::checker::Checker;
+use crate::check::model::meaning::Meaning;
 use crate::check::unaided::course::Course;
+use crate::check::unaided::gate;
 use crate::check::unaided::inline;
 use crate::check::unaided::premises::{self, Premise, Said};
 use crate::formula::Statement;
@@ -20,9 +23,10 @@ impl Course<'_, '_> {
         if members.any(has_units) {
             return;
         }
-        // Beside a motion, what is taken for granted is a special case of it or contradicts it.
+        // Beside a motion, what is taken for granted is a special case of it or contradicts it, unless it is about constants alone.
         let display = &self.checker.notes.equations[at];
-        let (Some(id), None) = (display.id(), &self.checker.model.system) else { return };
+        let is_free = self.checker.model.system.is_none() || is_static(self.checker, at);
+        let Some(id) = display.id().filter(|_| is_free) else { return };
         let Ok(statements) =
             self.checker.readings[at].statements.iter().map(Result::as_ref).collect::<Result<Vec<&Statement>, _>>()
         else {
@@ -75,4 +79,11 @@ impl Course<'_, '_> {
             self.known.push(premise);
         }
     }
+}
+
+/// Whether a display is about constants alone, and about nothing that moves.
+pub(in crate::check::unaided) fn is_static(checker: &Checker<'_>, at: usize) -> bool {
+    let members = checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+    let mut leaves = members.flat_map(|member| gate::leaves(member, checker.model));
+    leaves.all(|id| matches!(checker.model.meaning(id), Some(Meaning::Constant(_))))
 }

@@ -52,7 +52,11 @@ pub(crate) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
     let usages = names_of(&notes.equations, &macros);
     let lagrangian = lagrangian(notes, &usages);
     for printed in [lagrangian, None] {
-        let whole = Guess::of(&usages, printed);
+        let mut whole = Guess::of(&usages, printed);
+        if has_both_constants_of_planck(notes, &usages) {
+            whole = whole.without("constants", &["\\hbar".to_owned()]);
+            whole.define("\\hbar", "\\frac{h}{2\\pi}");
+        }
         // A function of a name that a display defines cannot be declared. It must not take all other guesses with it.
         let functions = whole.names("functions");
         let one_less = functions.iter().map(|name| whole.without("functions", std::slice::from_ref(name)));
@@ -124,6 +128,20 @@ fn first_of(given: &[String], usages: &[Usage], lacking: &[bool]) -> Vec<String>
 /// Whether a display cannot be read for lack of a name.
 fn lacks_a_name(reading: &crate::latex::Reading) -> bool {
     faults(reading).any(|fault| matches!(fault.missing, Some(Missing::Name(_))))
+}
+
+/// Whether ħ and h stand in one display, and no display says what either of them is: then ħ is h/2π.
+fn has_both_constants_of_planck(notes: &Notes, usages: &[Usage]) -> bool {
+    let is_given = |usage: &Usage| usage.given && ["h", "\\hbar"].contains(&usage.name.to_string().as_str());
+    let has_h = |text: &str| {
+        let is_letter = |c: Option<char>| c.is_some_and(|c| c.is_ascii_alphabetic() || c == '\\');
+        text.match_indices('h').any(|(at, _)| {
+            !is_letter(text[..at].chars().next_back())
+                && !is_letter(text[at + 1..].chars().next().filter(|c| *c != '\\'))
+        })
+    };
+    let has_both = |text: &str| text.contains("\\hbar") && has_h(text);
+    !usages.iter().any(is_given) && notes.equations.iter().any(|display| has_both(&display.text))
 }
 
 /// Whether a hat marks a direction in notes, and no operator.
@@ -204,6 +222,15 @@ fn rolling(usages: &[Usage]) -> Option<Rolling> {
     })
 }
 
+/// Whether a name is differentiated with d by another one, or another one by it, where no formula says how the one depends on the
+/// other: dM/dx is then the quotient of two rates.
+fn runs_along(usage: &Usage, usages: &[Usage]) -> bool {
+    let is_unknown = |usage: &&Usage| !usage.given && usage.arguments.is_none();
+    let by_it = |other: &&Usage| other.differentiated_by.contains(&usage.name);
+    is_unknown(&usage) && !usage.differentiated_by.is_empty()
+        || usages.iter().filter(is_unknown).any(|other| by_it(&other))
+}
+
 /// Whether a display defines a name, before any other display uses it.
 fn defined(usage: &Usage) -> bool {
     usage.introduced == Some(usage.first)
@@ -248,12 +275,14 @@ impl Guess {
                 .any(|other| other.given && other.arguments.as_ref().is_some_and(|of| of.contains(&usage.name)));
             let is_of_state = usage.conserved && usage.name.subscript.is_empty();
             let changes = is_of_state && QUANTITIES_OF_STATE.contains(&usage.name.base.as_str());
-            let moves = usage.moves || is_of_time(usage) || changes && lagrangian.is_none();
+            let runs = lagrangian.is_none() && runs_along(usage, usages);
+            let moves = usage.moves || is_of_time(usage) || changes && lagrangian.is_none() || runs;
             // A quantity of one kind has one sign in all states. What has a power other than a whole one is not negative.
             let is_alike = |other: &Usage| other.positive && other.name.base == usage.name.base;
             let is_measure = MEASURES.contains(&usage.name.base.as_str());
-            let positive =
-                usage.positive || usage.exponential || is_measure && (has_heats || usages.iter().any(is_alike));
+            // Of a positive number nobody prints the modulus.
+            let positive = !usage.modulus
+                && (usage.positive || usage.exponential || is_measure && (has_heats || usages.iter().any(is_alike)));
             let range = match (is_vector, usage.angle, positive) {
                 (false, ..) if is_ratio_of_heats(usage) => HEATS,
                 (true, ..) => "any",
@@ -274,12 +303,16 @@ impl Guess {
         if let Some(Rolling { depends, coordinate, factors }) = &rolling {
             let factors: Vec<String> = factors.iter().map(ToString::to_string).collect();
             let formula = format!("\\frac{{{coordinate}}}{{{}}}", factors.join(" "));
-            guess.keys.insert("define".to_owned(), json!({ depends.to_string(): formula }));
+            guess.define(&depends.to_string(), &formula);
         }
         if let Some(lagrangian) = lagrangian {
             guess.keys.insert("means".to_owned(), json!({ lagrangian.to_string(): "Lagrangian" }));
         }
         guess
+    }
+
+    fn define(&mut self, name: &str, formula: &str) {
+        self.declare("define", name, formula);
     }
 
     fn declare(&mut self, role: &str, name: &str, range: &str) {

@@ -4,6 +4,7 @@
 //! | file | what it has |
 //! | --- | --- |
 //! | `names` | the names in the displays, and how they stand there |
+//! | `differentials` | the d of something, and marks before a name |
 //! | `values` | formulas that stand for one name |
 //! | `inference` | the claims file that is inferred |
 //! | `scopes` | where a letter gets another meaning |
@@ -11,6 +12,7 @@
 //!
 //! Imports the neighbours `inline` and `scope`, and what is below `unaided`.
 
+mod differentials;
 #[cfg(feature = "cli")]
 pub(super) mod draft;
 #[cfg(feature = "cli")]

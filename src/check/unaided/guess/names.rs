@@ -5,6 +5,8 @@ use crate::latex::layout::{Delimiter, Item, Layout, typeset_items};
 use crate::latex::{Macros, names};
 use crate::notes::Display;
 
+use super::differentials::{contents, differential_of, is_by_time, is_differential, is_factor, is_letter_d, is_mark};
+
 /// How a name stands in the displays of a document.
 #[derive(Clone, Debug)]
 pub(in crate::check) struct Usage {
@@ -14,6 +16,8 @@ pub(in crate::check) struct Usage {
     pub moves: bool,
     /// Whether it stands under a root, in a denominator or in a logarithm.
     pub positive: bool,
+    /// Whether it stands alone between bars, as E in |E|.
+    pub modulus: bool,
     /// Whether it stands alone in a sine or a cosine.
     pub angle: bool,
     /// Whether it stands alone on one side of a relation whose other side moves.
@@ -30,6 +34,8 @@ pub(in crate::check) struct Usage {
     pub precedes: bool,
     /// Whether something is differentiated by it, or by its rate.
     pub differentiates: bool,
+    /// The names by which it is differentiated with d, other than the time: x for `\frac{dM}{dx}`.
+    pub differentiated_by: Vec<Name>,
     /// Whether it has an exponent other than a whole number, as Euler's number does.
     pub exponential: bool,
     /// The first display with it.
@@ -287,6 +293,7 @@ fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'f mut Usage
             name: name.clone(),
             moves: false,
             positive: false,
+            modulus: false,
             angle: false,
             follows: false,
             conserved: false,
@@ -295,6 +302,7 @@ fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'f mut Usage
             divides: false,
             precedes: false,
             differentiates: false,
+            differentiated_by: Vec::new(),
             exponential: false,
             first: at,
             introduced: None,
@@ -348,7 +356,10 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
         }
         match &item.layout {
             Layout::Group(inner) => walk(inner, here, at, found),
-            Layout::Fence(_, inner) => {
+            Layout::Fence(delimiter, inner) => {
+                if let (Delimiter::Bar | Delimiter::PlainBar, Some(name)) = (delimiter, lone_name(inner)) {
+                    entry(found, &name, at).modulus = true;
+                }
                 let alone = inner.iter().filter(|item| !is_space(item)).count() == 1;
                 walk(inner, Place { angle: here.angle && alone, ..here }, at, found);
             }
@@ -364,6 +375,9 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
                 let is_operator = is_differential(below) && is_letter_d(above);
                 let differentiated = is_differential(above) || is_operator;
                 let above_place = Place { moves: moves && differentiated, ..place };
+                if let (false, Some(of), Some(by)) = (moves, differential_of(above), differential_of(below)) {
+                    entry(found, &of, at).differentiated_by.push(by);
+                }
                 walk(&contents(above)[usize::from(differentiated)..], above_place, at, found);
                 match is_differential(below) {
                     true => {
@@ -402,57 +416,6 @@ fn has_terms(item: &Item) -> bool {
         Layout::Fraction(above, below) => has_terms(above) || has_terms(below),
         _ => false,
     }
-}
-
-fn contents(item: &Item) -> &[Item] {
-    match &item.layout {
-        Layout::Group(items) => items,
-        _ => std::slice::from_ref(item),
-    }
-}
-
-/// Whether a numerator or denominator begins with d or ∂.
-fn is_differential(item: &Item) -> bool {
-    let is_d = |item: &Item| match &item.layout {
-        Layout::Letter('d') => true,
-        Layout::Command(name) => name == "\\partial",
-        Layout::Style(style, inner) => {
-            style == "\\mathrm" && matches!(contents(inner), [Item { layout: Layout::Letter('d'), .. }])
-        }
-        _ => false,
-    };
-    match contents(item) {
-        [first, ..] => match &first.layout {
-            Layout::Scripts { nucleus, .. } => is_d(nucleus),
-            _ => is_d(first) && (contents(item).len() > 1 || matches!(&first.layout, Layout::Command(_))),
-        },
-        [] => false,
-    }
-}
-
-/// Whether an item is the letter d alone, as above dt in d/dt.
-fn is_letter_d(item: &Item) -> bool {
-    matches!(contents(item), [Item { layout: Layout::Letter('d'), .. }])
-}
-
-/// Whether d before an item is a differential: before a name or a parenthesis.
-fn is_factor(item: &Item) -> bool {
-    names::printed(item, None).is_some() || matches!(item.layout, Layout::Fence(Delimiter::Round, _))
-}
-
-/// Whether an item is a Δ before a name, or a δ before one that has no dots, where the display does not use δ as a factor.
-fn is_mark(item: &Item, next: Option<&Item>, has_coefficient: bool) -> bool {
-    let Some(next) = next.and_then(|next| names::printed(next, None)) else { return false };
-    match &item.layout {
-        Layout::Command(name) if name == "\\Delta" => true,
-        Layout::Command(name) if name == "\\delta" => next.dots == 0 && !has_coefficient,
-        _ => false,
-    }
-}
-
-fn is_by_time(below: &Item) -> bool {
-    let time = |item: &Item| names::printed(item, None).is_some_and(|printed| printed.name == Name::plain("t"));
-    is_differential(below) && contents(below).get(1).is_some_and(time)
 }
 
 fn is_trigonometric(item: &Item) -> bool {

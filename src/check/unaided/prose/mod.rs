@@ -1,11 +1,14 @@
 //! The words before a display: which displays they name, and whether they announce a consequence or an assumption.
 
+mod words;
+
 use std::ops::Range;
 
 use crate::latex::lines::implication;
 use crate::notes::Notes;
 
 use crate::check::unaided::inline::is_inline;
+use crate::check::unaided::prose::words::{ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, SOLUTION};
 
 /// The most bytes before a display that are taken for its words.
 const LONGEST: usize = 400;
@@ -15,114 +18,6 @@ const FAR_BACK: usize = 8;
 
 /// The most letters of words that say nothing of their own.
 const GOES_ON: usize = 3;
-
-/// Words that announce what follows from what was said before.
-const CONSEQUENCE: [&str; 35] = [
-    "hence",
-    "thus",
-    "therefore",
-    "follow",
-    "we get",
-    "we find",
-    "we obtain",
-    "one gets",
-    "one finds",
-    "one has",
-    "give",
-    "yield",
-    "become",
-    "implies",
-    "from which",
-    "from (",
-    "from eq",
-    "using",
-    "substitut",
-    "insert",
-    "that is",
-    "i.e.",
-    "consequently",
-    "leads to",
-    "reduces to",
-    "differentiat",
-    "so that",
-    "so ",
-    "in terms of",
-    "solving",
-    "expand",
-    "simplif",
-    "this means",
-    "equivalent",
-    "then",
-];
-
-/// Words that announce what is assumed, chosen or only nearly true.
-const ASSUMPTION: [&str; 38] = [
-    "assum",
-    "suppos",
-    "if ",
-    "convention",
-    "approximat",
-    "neglect",
-    "small",
-    "limit",
-    "special case",
-    "instead",
-    "let ",
-    "consider",
-    "choos",
-    "postulat",
-    "ansatz",
-    "we try",
-    "boundary",
-    "initial",
-    "condition",
-    "gauge",
-    "empiric",
-    "circular",
-    "at rest",
-    "when ",
-    "in the case",
-    "guess",
-    "hypothes",
-    "imagin",
-    "another",
-    "other ",
-    "wrong",
-    "not ",
-    "mistake",
-    "require",
-    "linear",
-    "first order",
-    "lowest order",
-    "leading order",
-];
-
-/// Those of them that say when two formulas are nearly equal.
-const NEARNESS: [&str; 8] =
-    ["approximat", "neglect", "small", "limit", "linear", "first order", "lowest order", "leading order"];
-
-/// Those of them that do so before a relation with ≪ or ≫.
-const CONDITION: [&str; 3] = ["if ", "when ", "condition"];
-
-/// Words of another case, which differs by a sign, an axis or a factor.
-const OTHER_CASE: [&str; 13] = [
-    "invert",
-    "repuls",
-    "attract",
-    "opposite",
-    "downward",
-    "upward",
-    "inward",
-    "outward",
-    "backward",
-    "replac",
-    "decelerat",
-    "slows down",
-    "reverse",
-];
-
-/// Words that announce the solutions of what was said before.
-const SOLUTION: [&str; 2] = ["solution", "root"];
 
 /// What the words before a display announce.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -182,17 +77,17 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
             other_case: before.other_case,
         };
     }
-    let announced = match (says(&ASSUMPTION), says(&CONSEQUENCE)) {
+    let announced = match (says(ASSUMPTION), says(CONSEQUENCE)) {
         (true, _) => Announced::Assumption,
         (false, true) => Announced::Consequence,
         (false, false) => Announced::Nothing,
     };
-    let connected = announced == Announced::Consequence || announced == Announced::Nothing && says(&SOLUTION);
+    let connected = announced == Announced::Consequence || announced == Announced::Nothing && says(SOLUTION);
     let compares = ["\\ll", "\\gg", "\\to"].iter().any(|sign| sentence.contains(sign));
     let is_nearness = |word: &&str| NEARNESS.contains(word) || compares && CONDITION.contains(word);
     let only_nearness = announced == Announced::Assumption
         && ASSUMPTION.iter().filter(|word| has_word(&sentence, word)).all(is_nearness);
-    Words { announced, only_nearness, other_case: says(&OTHER_CASE), named: cited(notes, at, all), connected }
+    Words { announced, only_nearness, other_case: says(OTHER_CASE), named: cited(notes, at, all), connected }
 }
 
 /// The sentence before the `at`-th display, as it is printed.

@@ -1,10 +1,12 @@
 //! What a finding means where no claims file says what the symbols are: whether the display follows, introduces a name,
 //! is taken for granted, or is wrong.
 
+mod content;
+
 use std::collections::HashMap;
 
 use crate::code::Code;
-use crate::formula::{Expr, Node, Relation, Sign, Statement, SymbolId, Symbols, text};
+use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
 use crate::latex::layout::typeset_items;
 use crate::latex::layout::values::has_derivative;
 use crate::latex::{Macros, Reading, read_display};
@@ -15,6 +17,8 @@ use crate::check::kinds::series::has_rest;
 use crate::check::model::Model;
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
+use crate::check::repair::culprit::is_common;
+use crate::check::unaided::gate::content::{is_content, occurrences, operations};
 use crate::check::unaided::prose::{Announced, Words};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -52,6 +56,8 @@ pub(super) struct Around<'a> {
     pub model: &'a Model,
     /// The symbols of the displays before it.
     pub before: &'a HashMap<SymbolId, usize>,
+    /// The place of the display, or of the chain of which it is a step.
+    pub origin: usize,
     /// What the correction rests on.
     pub basis: Basis,
     /// The words before the display.
@@ -75,15 +81,19 @@ fn may_be(statement: &Statement, model: &Model, basis: Basis, words: &Words) -> 
         let has_formula = model.meaning(id).is_some_and(|meaning| matches!(meaning, Meaning::Defined(_)));
         // That it is nearly equal to another one is a claim.
         let is_near = statement.relations.iter().all(|(relation, _)| *relation == Relation::Approximately);
+        // A formula for a name that contains the name itself is none: a prime or an index is lost.
+        let is_circular = members[1].symbols().iter().any(|(other, dots)| *other == id && *dots == 0);
         if !is_near
+            && !is_circular
             && !is_derived(first, model)
             && (has_formula || basis == Basis::Definitions && model.meaning(id).is_some())
         {
             return false;
         }
     }
-    // In other words, what one relation says is a law of its own more often than a slip, unless the author says otherwise.
-    if basis == Basis::Premise && !is_announced && members.len() < 3 {
+    // In other words, what one relation says is a law of its own more often than a slip, unless the author says otherwise or it
+    // relates as many symbols as no law does by chance.
+    if basis == Basis::Premise && !is_announced && members.len() < 3 && distinct(members, model) < FEWEST_SYMBOLS {
         return false;
     }
     if basis != Basis::Definitions {
@@ -138,6 +148,14 @@ pub(super) fn names(formula: &Expr, model: &Model) -> Vec<SymbolId> {
         }
     }
     found
+}
+
+/// The number of different symbols that members relate, without those that formulas define.
+fn distinct(members: &[Expr], model: &Model) -> usize {
+    let mut all: Vec<SymbolId> = members.iter().flat_map(|member| leaves(member, model)).collect();
+    all.sort_unstable_by_key(|id| id.0);
+    all.dedup();
+    all.len()
 }
 
 /// The symbols in a text, each as often as it stands there.
@@ -248,7 +266,9 @@ fn finding_as_it_counts(finding: Finding) -> Finding {
 
 /// Whether a correction makes it likely that a slip was made: it is certified, in this display, and no triviality.
 pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>) -> bool {
-    let Around { model, before: seen, basis, words, solves } = *around;
+    let Around { model, before, origin, basis, words, solves } = *around;
+    // What a chain introduces says nothing about its later steps.
+    let is_seen = |id: &SymbolId| before.get(id).is_some_and(|first| *first < origin);
     let holds = matches!(repair.verdict, Verdict::Certified | Verdict::Verified);
     if !holds || repair.idle || repair.shared.is_some() || !display.body.contains(repair.span) {
         return false;
@@ -285,9 +305,11 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     if left_out.contains('_') && left_out.eq_ignore_ascii_case(&repair.replacement) {
         return false;
     }
-    // A quotient of several quantities that is put in is a relation that the notes do not print, and no lost factor.
-    let is_quotient = repair.replacement.contains("\\frac") || repair.replacement.contains('/');
-    if left_out.trim().is_empty() && is_quotient && symbols_of(&repair.replacement, model).len() > 1 {
+    // A quotient, a power or a sum of several quantities that is put in is a relation that the notes do not print, and no lost
+    // factor. And a sign between two factors makes terms of them.
+    let has_structure = repair.replacement.contains("\\frac") || repair.replacement.contains(['/', '(', '^']);
+    let is_relation = has_structure && symbols_of(&repair.replacement, model).len() > 1;
+    if left_out.trim().is_empty() && (is_relation || parts_factors(&corrected[..start], &repair.replacement)) {
         return false;
     }
     // What solves another equation becomes a solution of this one where a parenthesis unites its terms. So does what follows
@@ -301,15 +323,20 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     let mut symbols = model.symbols.clone();
     let reading = read_display(&corrected, &mut symbols, &model.macros);
     let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
-    // In other words, what one relation says is a law of its own more often than a slip, unless the author says otherwise.
-    let is_chain = statements.iter().any(|statement| statement.members.len() > 2);
-    if basis == Basis::Premise && words.announced != Announced::Consequence && !is_chain {
-        return false;
-    }
     if statements.len() < reading.statements.len() {
         return false;
     }
     let (before, after) = (symbols_of(&display.text, model), symbols_of(&corrected, model));
+    // In other words, what one relation says is a law of its own more often than a slip, unless the author says otherwise, or a
+    // common slip lies between many symbols.
+    let is_chain = statements.iter().any(|statement| statement.members.len() > 2);
+    let has_same = before.iter().all(|id| after.contains(id)) && after.iter().all(|id| before.contains(id));
+    let is_close = has_same
+        && is_common(repair.slip)
+        && statements.iter().any(|statement| distinct(&statement.members, model) >= FEWEST_SYMBOLS);
+    if basis == Basis::Premise && words.announced != Announced::Consequence && !is_chain && !is_close {
+        return false;
+    }
     // A correction loses no more than one symbol: what has more of them was meant.
     if after.len() + 1 < before.len() {
         return false;
@@ -328,15 +355,19 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     }
     // A name that no display before has is new, and no slip for another one. Neither is a free constant that the motion
     // does not contain: the display says what it is.
-    let is_new = |id: &SymbolId| !seen.contains_key(id) || model.system.is_some() && is_foreign(*id, model);
+    let is_new = |id: &SymbolId| !is_seen(id) || model.system.is_some() && is_foreign(*id, model);
     if before.iter().any(|id| !after.contains(id) && is_new(id)) {
+        return false;
+    }
+    // An equation of which one side is 0 is solved for a symbol that nothing determines: it is no slip for another one.
+    let is_open = |id: &&SymbolId| !matches!(model.meaning(**id), Some(Meaning::Defined(_)));
+    if is_zero && before.iter().filter(is_open).any(|id| count(&after, *id) < count(&before, *id)) && !new.is_empty() {
         return false;
     }
     // A term with a defined name that the display does not have makes it say what the definition says. And a name that no
     // display before has is not what the author meant.
     let is_brought_in = |id: &&SymbolId| {
-        !seen.contains_key(*id)
-            || after.len() > before.len() && matches!(model.meaning(**id), Some(Meaning::Defined(_)))
+        !is_seen(id) || after.len() > before.len() && matches!(model.meaning(**id), Some(Meaning::Defined(_)))
     };
     if new.iter().any(is_brought_in) {
         return false;
@@ -354,7 +385,6 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
             || leaves(side, model).iter().all(|id| others.contains(id))
     };
     // Under premises a formula for a known name is a conclusion. A special case has fewer symbols than what it is a case of.
-    let has_same = before.iter().all(|id| after.contains(id)) && after.iter().all(|id| before.contains(id));
     let concludes = words.connected
         && matches!(basis, Basis::Premise | Basis::Premises)
         && has_same
@@ -393,95 +423,13 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     claims.peek().is_some() && claims.all(says_something)
 }
 
-/// Whether an equality says more than that something is equal to itself: what is left of it without the terms that both
-/// sides have is no triviality.
-fn is_content(left: &Expr, right: &Expr, symbols: &Symbols, model: &Model) -> bool {
-    let (mut left, mut right) = (terms(left, symbols, model), terms(right, symbols, model));
-    left.retain(|(term, _)| match right.iter().position(|(other, _)| other == term) {
-        Some(at) => {
-            right.remove(at);
-            false
-        }
-        None => true,
-    });
-    let count: usize = left.iter().chain(&right).map(|(_, count)| count).sum();
-    count >= FEWEST_SYMBOLS
+/// Whether a sign is put in after a factor, so that what is before it and what is after it become terms.
+fn parts_factors(before: &str, replacement: &str) -> bool {
+    let ends_a_factor = before.trim_end().ends_with(|c: char| c.is_alphanumeric() || matches!(c, '}' | ')' | ']'));
+    matches!(replacement.trim(), "+" | "-") && ends_a_factor
 }
 
-/// The terms of a formula, with their signs, and the number of symbols in each.
-fn terms(formula: &Expr, symbols: &Symbols, model: &Model) -> Vec<(String, usize)> {
-    let one = |sign: Sign, term: &Expr| {
-        let sign = if sign == Sign::Plus { '+' } else { '-' };
-        (format!("{sign}{}", canonical(term, symbols)), occurrences(term, model))
-    };
-    match &formula.node {
-        Node::Sum(terms) => terms.iter().map(|term| one(term.sign, &term.expr)).collect(),
-        _ => vec![one(Sign::Plus, formula)],
-    }
-}
-
-/// The number of symbols and functions in a formula, each as often as it stands there. What a formula defines counts
-/// twice, since it stands for that formula, and so does an integral.
-fn occurrences(formula: &Expr, model: &Model) -> usize {
-    let mut count = 0;
-    formula.walk(&mut |part| {
-        count += match &part.node {
-            Node::Symbol { id, .. } if matches!(model.meaning(*id), Some(Meaning::Defined(_))) => 2,
-            Node::Definite(_) => 2,
-            Node::Symbol { .. } | Node::Letter(_) | Node::Call(..) => 1,
-            _ => 0,
-        }
-    });
-    count
-}
-
-/// The number of symbols, functions, roots and fractions in a formula.
-fn operations(formula: &Expr, model: &Model) -> usize {
-    let mut count = occurrences(formula, model);
-    formula.walk(&mut |part| {
-        let is_symbolic = |inner: &Expr| !inner.symbols().is_empty();
-        count += match &part.node {
-            Node::Root(..) => 1,
-            Node::Quotient(_, below) => usize::from(is_symbolic(below)),
-            Node::Power(base, exponent) => {
-                usize::from(is_symbolic(base) && matches!(exponent.node, Node::Quotient(..) | Node::Sum(_)))
-            }
-            _ => 0,
-        };
-    });
-    count
-}
-
-/// A formula in which the order of terms and factors does not count.
-fn canonical(expr: &Expr, symbols: &Symbols) -> String {
-    match &expr.node {
-        Node::Sum(terms) => {
-            let sign = |sign: Sign| if sign == Sign::Plus { '+' } else { '-' };
-            let mut terms: Vec<String> =
-                terms.iter().map(|term| format!("{}{}", sign(term.sign), canonical(&term.expr, symbols))).collect();
-            terms.sort();
-            format!("({})", terms.concat())
-        }
-        Node::Product(factors) => {
-            let mut factors: Vec<String> = factors.iter().map(|factor| canonical(factor, symbols)).collect();
-            factors.sort();
-            factors.join("·")
-        }
-        // d/dt of x is ẋ.
-        Node::TimeDerivative(order, inner) => match &inner.node {
-            Node::Symbol { id, indices, dots } => {
-                let node = Node::Symbol { id: *id, indices: indices.clone(), dots: dots + order };
-                text::formula(&Expr::new(node, expr.span), symbols)
-            }
-            _ => text::formula(expr, symbols),
-        },
-        Node::Dot(a, b) | Node::Cross(a, b) => {
-            let mut both = [canonical(a, symbols), canonical(b, symbols)];
-            both.sort();
-            format!("[{}]", both.join(" "))
-        }
-        Node::Quotient(a, b) => format!("({})/({})", canonical(a, symbols), canonical(b, symbols)),
-        Node::Power(a, b) => format!("({})^({})", canonical(a, symbols), canonical(b, symbols)),
-        _ => text::formula(expr, symbols),
-    }
+/// How often a symbol is among some.
+fn count(symbols: &[SymbolId], id: SymbolId) -> usize {
+    symbols.iter().filter(|other| **other == id).count()
 }
