@@ -170,3 +170,19 @@ fn a_formula_for_a_name_that_contains_the_name_has_lost_a_prime() {
     assert!(!right.contains(&"refuted".to_owned()), "{right:?}");
     assert_eq!(verdicts("prime-slip", &photon("E"))[2], "refuted");
 }
+
+#[test]
+fn words_count_in_other_languages_too() {
+    let page = |words: &str| format!("$$ m a = F - k v $$\n\n{words}\n\n$$ F = m a - k v $$\n");
+    for (name, words) in [("de", "Daraus folgt"), ("fr", "On obtient donc"), ("es", "Por lo tanto"), ("en", "Hence")] {
+        assert_eq!(verdicts(name, &page(words))[1], "refuted", "{words}");
+    }
+    for (name, words) in [
+        ("de-if", "Wenn die Reibung antreibt, gilt"),
+        ("fr-if", "Si au contraire le frottement entraîne le corps"),
+        ("es-if", "Cuando el rozamiento empuja"),
+        ("en-if", "If the friction drives the body"),
+    ] {
+        assert_eq!(verdicts(name, &page(words))[1], "assumed", "{words}");
+    }
+}

@@ -35,6 +35,12 @@ const STEPS: f64 = 0.005;
 /// The same for ≈.
 const ROUGHLY: f64 = 0.1;
 
+/// The same where three digits or more are printed.
+const WITH_DIGITS: f64 = 0.03;
+
+/// A number of at least so many times its last digit has three digits.
+const THREE_DIGITS: f64 = 100.0;
+
 /// The relative distance of two numbers that are the same double.
 const EQUAL: f64 = 1e-12;
 
@@ -216,7 +222,13 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
     if is_zero(&a) || is_zero(&b) {
         return undecided(context, "a number that is rounded to 0 is not compared");
     }
-    let share = if is_approximate { ROUGHLY } else { STEPS };
+    // Who prints three digits after ≈ does not mean a tenth more or less.
+    let has_digits = printed.iter().flatten().any(|printed| size >= THREE_DIGITS * printed.digit());
+    let share = match (is_approximate, has_digits) {
+        (true, false) => ROUGHLY,
+        (true, true) => WITH_DIGITS,
+        (false, _) => STEPS,
+    };
     let slack = printed.iter().flatten().map(Printed::digit).fold(share * size, f64::max);
     // After ≈ a power of ten alone is an order of magnitude.
     if is_approximate && [left, right].iter().any(|side| is_order(side)) {
