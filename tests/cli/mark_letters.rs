@@ -142,3 +142,64 @@ fn e_is_a_charge_where_no_power_of_it_stands() {
     assert_eq!(marks("charge", problem, "$$ F = e E $$\n\n$$ W = e E d $$\n"), ["right", "right"]);
     assert_eq!(marks("charge-wrong", problem, "$$ F = e E $$\n\n$$ W = 2 e E d $$\n"), ["right", "wrong"]);
 }
+
+/// An orbit: everything is constant.
+const ORBIT: (&str, &str) = (
+    "$$ v = \\sqrt{\\frac{G M}{r}} \\tag{1} $$\n\n$$ E = \\frac12 m v^2 - \\frac{G M m}{r} = -\\frac{G M m}{2r} \\tag{2} $$\n\n\
+     $$ W = \\frac12 E - E = \\frac{G M m}{4 r} \\tag{3} $$\n",
+    r#"{ "notes": "p.md", "constants": { "G, M, m, r": "> 0" } }"#,
+);
+
+#[test]
+fn a_function_of_a_constant_is_a_quantity_with_values_elsewhere() {
+    let of = |name: &str, lines: &str| marks(name, ORBIT, lines);
+    let lines = |change: &str| {
+        format!(
+            "$$ V(r) = -\\frac{{G M m}}{{r}} $$\n\n$$ E(r) = \\frac12 V(r) = -\\frac{{G M m}}{{2r}} $$\n\n$$ W = {change} $$\n"
+        )
+    };
+    assert_eq!(of("function", &lines("E(2r) - E(r)")), ["given", "right", "right"]);
+    // The twin: another place.
+    assert_eq!(of("function-wrong", &lines("E(3r) - E(r)"))[2], "wrong");
+    let carried =
+        |change: &str| format!("$$ E = \\frac{{G M m}}{{2 r^2}} - \\frac{{G M m}}{{r}} $$\n\n$$ W = {change} $$\n");
+    let change = "\\frac{G M m}{2 r} - \\frac{3 G M m}{8 r^2}";
+    assert_eq!(of("change", &carried(change)), ["wrong", "carried"]);
+    assert_eq!(of("change-slip", &carried("\\frac{G M m}{2 r} - \\frac{G M m}{8 r^2}")), ["wrong", "wrong"]);
+}
+
+/// A charge that is accelerated, and slides a distance.
+const CHARGE: (&str, &str) = (
+    "$$ K = q U \\tag{1} $$\n\n$$ p = \\frac1c \\sqrt{q^2 U^2 + 2 q U m c^2} \\tag{2} $$\n\n$$ a = \\frac{q U}{m s} \\tag{3} $$\n\n\
+     $$ v = \\sqrt{2 a s} \\tag{4} $$\n",
+    r#"{ "notes": "p.md", "constants": { "m, c, q, U, s": "> 0" } }"#,
+);
+
+#[test]
+fn e_may_be_a_charge_with_a_square_and_d_a_length() {
+    let of = |name: &str, lines: &str| marks(name, CHARGE, lines);
+    let charge = |factor: &str| format!("$$ K = eV $$\n\n$$ p = \\frac1c \\sqrt{{e^2 V^2 + {factor} eV m c^2}} $$\n");
+    assert_eq!(of("charge", &charge("2")), ["right", "right"]);
+    assert_eq!(of("charge-wrong", &charge("3"))[1], "wrong");
+    let length = |factor: &str| {
+        format!("$$ a = \\frac{{q U}}{{m d}} $$\n\n$$ v^2 = {factor} a d = \\frac{{{factor} q U}}{{m}} $$\n")
+    };
+    assert_eq!(of("length", &length("2")), ["right", "right"]);
+    assert_eq!(of("length-wrong", &length("3"))[1], "wrong");
+    // Differentials are no lengths.
+    let differentials = of("differentials", "$$ dK = U\\,dq $$\n\n$$ dp = m\\,dv $$\n");
+    assert!(!differentials.contains(&"wrong".to_owned()), "{differentials:?}");
+}
+
+#[test]
+fn letters_of_the_problem_do_not_change_places_among_themselves() {
+    let problem = (
+        "$$ m \\dot v = -k v \\tag{1} $$\n\n$$ v(t) = v_0 e^{-k t/m} \\tag{2} $$\n\n$$ t_h = \\frac{m}{k} \\ln 2 \\tag{3} $$\n\n$$ v(t_h) = \\frac12 v_0 \\tag{4} $$\n",
+        r#"{ "notes": "p.md", "varies with time": { "v": "any" }, "constants": { "m, k, v_0": "> 0" }, "laws": { "Newton": "1" } }"#,
+    );
+    let lines = "$$ v(t) = v_0 e^{-m t/k} $$\n\n$$ t_h = \\frac{k}{m} \\ln 2 $$\n";
+    assert_eq!(marks("exchange", problem, lines), ["wrong", "carried"]);
+    // Letters of the student's own may stand for both.
+    let lines = "$$ v(t) = v_0 e^{-\\beta t/M} $$\n\n$$ t_h = \\frac{M}{\\beta} \\ln 2 $$\n";
+    assert_eq!(marks("own", problem, lines), ["right", "right"]);
+}

@@ -3,7 +3,7 @@
 
 use serde_json::{Value, json};
 
-use crate::support::Desk;
+use crate::support::{self, Desk};
 
 /// A body that is braked in proportion to its speed: `force` is what moves it, and the last two are its speed and its way.
 fn braked(force: &str, speed: &str, way: &str) -> (String, Value) {
@@ -84,4 +84,58 @@ fn the_form_of_a_steady_motion_that_the_problem_gives_is_given() {
     let amplitude = "A^2 \\left((k - m \\Omega^2)^2 + b^2 \\Omega^2\\right) = F^2";
     assert_eq!(marks("steady", problem(), &["x = A \\cos(\\Omega t - \\delta)", amplitude]), ["given", "right"]);
     assert_eq!(marks("steady-false", problem(), &["x = A \\sin(\\Omega t - \\delta)"]), ["wrong"]);
+}
+
+/// A boat without its motor: the model solution prints the motion, and the value at an instant.
+const BOAT: (&str, &str) = (
+    "$$ m \\dot v = -k v \\tag{1} $$\n\n$$ x(t) = \\frac{m v_0}{k} \\left( 1 - e^{-k t/m} \\right) \\tag{2} $$\n\n\
+     $$ v(t) = v_0 e^{-k t/m} \\tag{3} $$\n\n$$ t_h = \\frac{m}{k} \\ln 2 \\tag{4} $$\n\n$$ v(t_h) = \\frac12 v_0 \\tag{5} $$\n",
+    r#"{ "notes": "p.md", "varies with time": { "x": "any" }, "constants": { "m, k, v_0": "> 0" },
+        "define": { "v": "\\dot x" }, "laws": { "Newton": "1" } }"#,
+);
+
+#[test]
+fn an_integral_up_to_the_time_is_that_of_the_motion() {
+    let of = |name: &str, integral: &str, factor: &str| {
+        let lines =
+            format!("$$ x(t) = {integral} = {factor} \\frac{{m v_0}}{{k}} \\left( 1 - e^{{-kt/m}} \\right) $$\n");
+        support::marks(name, BOAT, &lines)
+    };
+    assert_eq!(of("prime", "\\int_0^t v(t') \\, dt'", ""), ["right"]);
+    assert_eq!(of("tau", "\\int_0^t v(\\tau) \\, \\mathrm{d}\\tau", ""), ["right"]);
+    assert_eq!(of("short", "\\int_0^t v \\, dt", ""), ["right"]);
+    // The twins: a factor outside, and inside.
+    assert_eq!(of("outside", "\\int_0^t v(t') \\, dt'", "2"), ["wrong"]);
+    assert_ne!(of("inside", "\\int_0^t 2 v(t') \\, dt'", ""), ["right"]);
+}
+
+#[test]
+fn a_step_from_a_false_motion_is_carried_by_integration_and_to_an_instant() {
+    let of = |name: &str, lines: &[&str]| {
+        support::marks(name, BOAT, &lines.iter().map(|line| format!("$$ {line} $$\n\n")).collect::<String>())
+    };
+    let first = "m \\dot v = -2 k v";
+    assert_eq!(of("integral", &[first, "\\ln\\frac{v}{v_0} = -\\frac{2kt}{m}"]), ["wrong", "carried"]);
+    let motion = "v(t) = v_0 \\left( 1 - \\frac{kt}{m} \\right)";
+    assert_eq!(of("instant", &[motion, "1 - \\frac{k t_h}{m} = \\frac12"]), ["wrong", "carried"]);
+    // The reciprocal of a constant in both.
+    let other = "v(t) = v_0 e^{-t/(mk)}";
+    assert_eq!(of("reciprocal", &[other, "e^{-t_h/(mk)} = \\frac12"]), ["wrong", "carried"]);
+    // The twins: another factor, another start, another instant.
+    assert_eq!(of("factor", &[first, "\\ln\\frac{v}{v_0} = -\\frac{3kt}{m}"]), ["wrong", "wrong"]);
+    assert_eq!(of("start", &[first, "\\ln\\frac{v}{2 v_0} = -\\frac{2kt}{m}"]), ["wrong", "wrong"]);
+    assert_eq!(of("third", &[motion, "1 - \\frac{k t_h}{m} = \\frac13"]), ["wrong", "wrong"]);
+}
+
+#[test]
+fn a_period_in_parentheses_is_an_instant_and_e_alone_is_a_number() {
+    let tau = "$$ \\tau = \\frac mk $$\n\n";
+    let of = |name: &str, line: &str| {
+        support::marks(name, BOAT, &format!("{tau}$$ v = v_0 e^{{-t/\\tau}} $$\n\n$$ {line} $$\n"))
+    };
+    assert_eq!(of("once", "v(\\tau) = \\frac{v_0}{e}")[2], "right");
+    assert_eq!(of("twice", "v(2\\tau) = v_0 e^{-2}")[2], "right");
+    // The twins.
+    assert_eq!(of("once-wrong", "v(\\tau) = \\frac{v_0}{2e}")[2], "wrong");
+    assert_eq!(of("twice-wrong", "v(2\\tau) = v_0 e^{-3}")[2], "wrong");
 }

@@ -170,3 +170,75 @@ fn a_product_of_given_numbers_with_units_is_right() {
     // The twin: another number.
     assert_eq!(marks("numbers-wrong", problem, &lines("1{,}5"))[2], "wrong");
 }
+
+/// A bead on a hoop that turns, with the frequency about its place of rest beside the axis.
+const BESIDE: (&str, &str) = (
+    "$$ L = \\frac12 m R^2 (\\dot\\theta^2 + \\omega^2 \\sin^2\\theta) + m g R \\cos\\theta \\tag{1} $$\n\n\
+     $$ \\ddot\\theta = \\left( \\omega^2 \\cos\\theta - \\frac gR \\right) \\sin\\theta \\tag{2} $$\n\n\
+     $$ \\cos\\theta_0 = \\frac{g}{R \\omega^2} \\tag{3} $$\n\n$$ \\Omega = \\omega \\sin\\theta_0 \\tag{4} $$\n",
+    r#"{ "notes": "p.md", "coordinates": { "\\theta": "angle" },
+        "constants": { "m, R, g, \\omega": "> 0", "\\theta_0": "(0, \\pi/2)" },
+        "means": { "L": "Lagrangian", "\\Omega": "frequency of small oscillations about \\theta = \\theta_0" },
+        "equations": { "3": { "equilibrium": true, "at": { "\\theta": "\\theta_0" } } } }"#,
+);
+
+#[test]
+fn a_small_deviation_from_a_place_of_rest_obeys_a_linear_equation() {
+    let of = |name: &str, lines: &str| marks(name, BESIDE, lines);
+    let line =
+        |factor: &str| format!("$$ \\ddot\\varepsilon = -{factor}\\omega^2\\sin^2\\theta_0 \\, \\varepsilon $$\n");
+    let sum = "$$ \\theta = \\theta_0 + \\varepsilon $$\n\n";
+    let difference = "With $\\varepsilon = \\theta - \\theta_0$:\n\n";
+    for (name, before) in
+        [("sum", sum), ("difference", difference), ("words", "With the deviation $\\varepsilon$:\n\n")]
+    {
+        assert_eq!(of(name, &format!("{before}{}", line(""))).last().unwrap(), "right", "{name}");
+    }
+    // The twins: two factors, and what is no deviation.
+    assert_eq!(of("factor", &format!("{sum}{}", line("2"))), ["given", "wrong"]);
+    assert_eq!(of("half", &format!("{difference}{}", line("\\frac12"))), ["given", "wrong"]);
+    let other = "$$ \\ddot\\varepsilon = -\\omega^2\\sin^2\\theta_0 \\, \\theta $$\n";
+    assert_eq!(of("place", &format!("{sum}{other}")), ["given", "wrong"]);
+}
+
+#[test]
+fn a_false_equation_of_motion_is_carried_to_small_motion_about_its_place_of_rest() {
+    let lines = |square: &str| {
+        format!(
+            "$$ \\ddot\\theta = 2\\omega^2\\sin\\theta\\cos\\theta - \\frac gR\\sin\\theta $$\n\n\
+             $$ \\cos\\theta_0 = \\frac{{g}}{{2 R\\omega^2}} $$\n\n$$ \\Omega^2 = {square} $$\n"
+        )
+    };
+    let of = |name: &str, square: &str| marks(name, BESIDE, &lines(square));
+    assert_eq!(of("carried", "2\\omega^2\\sin^2\\theta_0"), ["wrong", "carried", "carried"]);
+    // The twin: a slip of its own.
+    assert_eq!(of("slip", "3\\omega^2\\sin^2\\theta_0"), ["wrong", "carried", "wrong"]);
+    let slope = |factor: &str| {
+        format!(
+            "$$ \\frac{{\\partial L}}{{\\partial \\theta}} = \\frac12 m R^2 \\omega^2 \\sin\\theta \\cos\\theta - m g R \\sin\\theta $$\n\n\
+             $$ \\ddot\\theta = {factor} \\omega^2 \\sin\\theta \\cos\\theta - \\frac gR \\sin\\theta $$\n"
+        )
+    };
+    assert_eq!(marks("slope", BESIDE, &slope("\\frac12")), ["wrong", "carried"]);
+    assert_eq!(marks("slope-slip", BESIDE, &slope("\\frac13")), ["wrong", "wrong"]);
+}
+
+/// A gas that is compressed without heat: the numbers are left open.
+const GAS: (&str, &str) = (
+    "$$ T_2 = T_1 \\left( \\frac{V_1}{V_2} \\right)^{\\gamma - 1} \\tag{1} $$\n\n\
+     $$ p_2 = p_1 \\left( \\frac{V_1}{V_2} \\right)^\\gamma \\tag{2} $$\n",
+    r#"{ "notes": "p.md", "constants": { "p_1, T_1, V_1, V_2": "> 0", "\\gamma": "(1, \\infty)" } }"#,
+);
+
+#[test]
+fn a_ratio_of_data_is_a_condition_with_which_numbers_are_right() {
+    let of = |name: &str, lines: &str| marks(name, GAS, lines);
+    let formula = "$$ T_2 = T_1 \\left( \\frac{V_1}{V_2} \\right)^{\\gamma - 1} $$\n\n";
+    let data = "Beispiel:\n\n$$ \\gamma = 1{,}4, \\quad \\frac{V_1}{V_2} = 10, \\quad T_1 = 293\\,\\text{K} $$\n\n";
+    let with = |value: &str| format!("{formula}{data}$$ T_2 = {value}\\,\\text{{K}} $$\n");
+    assert_eq!(of("ratio", &with("736")), ["right", "given", "given", "given", "right"]);
+    // The twins: another number; a ratio of which no word says that it is a condition; a result that is no datum.
+    assert_eq!(of("ratio-wrong", &with("763")).last().unwrap(), "wrong");
+    assert_eq!(of("bare", "$$ \\frac{V_1}{V_2} = 10 $$\n\n$$ T_1 = T_2 $$\n")[0], "undecided");
+    assert_eq!(of("result", "$$ \\frac{p_2}{p_1} = 10 $$\n\n$$ p_2 = p_1 $$\n")[0], "wrong");
+}

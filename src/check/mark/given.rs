@@ -4,7 +4,7 @@
 use crate::formula::derivative::{Scope, partial};
 use crate::formula::symbols::Name;
 use crate::formula::tree::Variable;
-use crate::formula::{Expr, Node, Statement, SymbolId};
+use crate::formula::{Expr, Node, Sign, Statement, SymbolId};
 use crate::latex::Reading;
 use crate::source::Span;
 
@@ -276,8 +276,38 @@ pub(super) fn solved_for(checker: &Checker<'_>, difference: &Expr, (id, dots): (
     if slope.is_null() || has(&slope) || has(&rest) {
         return None;
     }
-    let value = Node::Quotient(Box::new(rest.negated()), Box::new(slope));
-    Some(Expr::new(value, difference.span))
+    without_zeros(&mut rest);
+    let value = match sign_of_one(&slope) {
+        Some(Sign::Plus) => rest.negated(),
+        Some(Sign::Minus) => rest,
+        None => Expr::new(Node::Quotient(Box::new(rest.negated()), Box::new(slope)), difference.span),
+    };
+    Some(value)
+}
+
+/// The sign of a formula that is 1 or −1.
+fn sign_of_one(formula: &Expr) -> Option<Sign> {
+    let is_one = |formula: &Expr| matches!(&formula.node, Node::Number(value) if value == "1");
+    match &formula.node {
+        Node::Sum(terms) => match terms.as_slice() {
+            [only] if is_one(&only.expr) => Some(only.sign),
+            _ => None,
+        },
+        _ => is_one(formula).then_some(Sign::Plus),
+    }
+}
+
+/// Leaves the terms that are a literal 0 out of sums: a claim about small quantities would take each for a term of its own.
+fn without_zeros(formula: &mut Expr) {
+    formula.children_mut().into_iter().for_each(without_zeros);
+    let Node::Sum(terms) = &mut formula.node else { return };
+    let has_others = terms.iter().any(|term| !term.expr.is_null());
+    terms.retain(|term| !has_others || !term.expr.is_null());
+    if let [only] = terms.as_slice()
+        && only.sign == Sign::Plus
+    {
+        *formula = only.expr.clone();
+    }
 }
 
 /// Whether a formula changes with time.

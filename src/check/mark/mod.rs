@@ -24,6 +24,7 @@ mod letters;
 mod marked;
 mod motion;
 mod names;
+mod near_rest;
 mod problem;
 mod results;
 mod rounded;

@@ -4,9 +4,10 @@
 //! first integral of a motion that starts from rest is. It is put to the test with the printed functions in the place of
 //! the coordinates. For the same reason a function of the time that solves the laws may be false: for other initial values.
 
-use crate::formula::calculus::places::at;
+use crate::formula::calculus::definite::integral;
+use crate::formula::calculus::places::{End, at};
 use crate::formula::derivative::{Scope, partial};
-use crate::formula::tree;
+use crate::formula::tree::{self, Definite};
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
 use crate::latex::{Reading, read_formula};
 use crate::notes::claims::{Claim, Range};
@@ -25,7 +26,7 @@ use super::given::solved_for;
 use super::slip;
 use super::status::{Status, status};
 use super::world::World;
-use super::written::instants::Instant;
+use super::written::instants::{Instant, Kind};
 
 /// The printed functions of the time.
 pub(super) struct Motion {
@@ -168,6 +169,14 @@ impl Motion {
         if !is_known(&of) || !is_known(&when) {
             return None;
         }
+        if let Kind::Of(letter) = &instant.kind {
+            let letter = read(letter)?.as_plain_symbol().filter(|letter| letter.0 < known)?;
+            let formula = expanded(checker, of);
+            let is_constant = |id: SymbolId| matches!(checker.model.meaning(id), Some(Meaning::Constant(_)));
+            let symbols = formula.symbols();
+            let is_function = symbols.iter().all(|(id, _)| is_constant(*id)) && symbols.contains(&(letter, 0));
+            return is_function.then(|| at(&formula, letter, &when));
+        }
         let is_time = |id: &SymbolId| matches!(checker.model.meaning(*id), Some(Meaning::Time));
         let time = checker.model.symbols.iter().map(|(id, _)| id).find(is_time)?;
         let mut formula = self.inserted(checker, of);
@@ -179,7 +188,20 @@ impl Motion {
                 && !checker.model.is_defined_by_itself(*id)
                 && (*id == time || !checker.model.depends_on(&name, &moving) && checker.model.meaning(*id).is_some())
         };
-        formula.symbols().iter().all(is_fixed).then(|| at(&formula, time, &when))
+        if !formula.symbols().iter().all(is_fixed) {
+            return None;
+        }
+        if instant.kind != Kind::Whole {
+            return Some(at(&formula, time, &when));
+        }
+        let (span, letter) = (formula.span, "u".to_owned());
+        let ends = (End::At(Expr::integer(0, span)), End::At(when.clone()));
+        if let Ok(whole) = integral(&formula, time, (&ends.0, &ends.1), span) {
+            return Some(whole);
+        }
+        let integrand = at(&formula, time, &Expr::new(Node::Letter(letter.clone()), span));
+        let whole = Definite { letter, lower: Some(Expr::integer(0, span)), upper: Some(when), integrand };
+        Some(Expr::new(Node::Definite(Box::new(whole)), span))
     }
 
     /// What a line says of coordinates and velocities at the start, where the motion is known.
@@ -187,26 +209,16 @@ impl Motion {
         let is_time = |id: &SymbolId| matches!(checker.model.meaning(*id), Some(Meaning::Time));
         let time = checker.model.symbols.iter().map(|(id, _)| id).find(is_time)?;
         let mut start = reading.clone();
+        let known: Vec<SymbolId> = self.solutions.iter().map(|known| known.coordinate).collect();
         let mut is_any = false;
         for member in start.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
-            let moving = self.solutions.iter().map(|known| known.coordinate);
-            for id in moving.filter(|id| member.symbols().iter().any(|(found, _)| found == id)).collect::<Vec<_>>() {
-                for (_, order) in member.symbols().into_iter().filter(|(found, _)| *found == id) {
-                    for dots in 0..=order {
-                        let name = Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, member.span);
-                        let mut value = self.inserted(checker, name);
-                        differentiated(checker, &mut value, time)?;
-                        let value = at(&value, time, &Expr::integer(0, member.span));
-                        is_any = true;
-                        member.substitute(&|node| match node {
-                            Node::Symbol { id: found, dots: rate, .. } if *found == id && *rate == dots => {
-                                Some(value.clone())
-                            }
-                            _ => None,
-                        });
-                    }
-                }
+            let mut value = member.clone();
+            if checker.model.depends_on(member, &known) {
+                is_any = true;
+                value = self.inserted(checker, value);
+                differentiated(checker, &mut value, time)?;
             }
+            *member = at(&value, time, &Expr::integer(0, member.span));
         }
         is_any.then_some(start)
     }

@@ -10,6 +10,8 @@ use crate::check::model::claim::{Hypothesis, is_equality};
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 
+use super::given::solved_for;
+
 /// The states in which a rounded number is tried, and the fewest that decide.
 const STATES: usize = 8;
 const FEWEST: usize = 3;
@@ -24,6 +26,8 @@ const DEEPEST: usize = 8;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Known {
     values: Vec<((SymbolId, u8), Expr)>,
+    /// What conditions between constants say that one of them is: V_1 by `\frac{V_1}{V_2} = 10`.
+    relations: Vec<((SymbolId, u8), Expr)>,
     is_any_number: bool,
 }
 
@@ -49,18 +53,47 @@ impl Known {
         }
     }
 
-    /// The symbols that have numbers by themselves, or by formulas of symbols that have.
-    fn numbers(&self) -> Vec<((SymbolId, u8), Expr)> {
+    /// Whether the numbers that are known give a formula its value.
+    pub fn determines(&self, checker: &Checker<'_>, formula: &Expr) -> bool {
+        inserted(formula, &self.numbers(checker)).symbols().is_empty()
+    }
+
+    /// Adds a condition between constants.
+    pub fn add_relation(&mut self, checker: &Checker<'_>, reading: &Reading) {
+        let [Ok(statement)] = reading.statements.as_slice() else { return };
+        let [first, second] = statement.members.as_slice() else { return };
+        let difference = first.clone().minus(second.clone());
+        let is_new = |rate: &(SymbolId, u8)| self.relations.iter().all(|(known, _)| known != rate);
+        let mut found = difference.symbols().into_iter().filter(is_new);
+        if let Some(relation) = found.find_map(|rate| Some((rate, solved_for(checker, &difference, rate)?))) {
+            self.is_any_number = true;
+            self.relations.push(relation);
+        }
+    }
+
+    /// The symbols that have numbers by themselves, or by formulas of symbols that have, and what the relations say.
+    fn numbers(&self, checker: &Checker<'_>) -> Vec<((SymbolId, u8), Expr)> {
         let mut closed: Vec<((SymbolId, u8), Expr)> = Vec::new();
         for _ in 0..DEEPEST {
             for (id, value) in &self.values {
                 let is_new = closed.iter().all(|(known, _)| known != id);
-                let value = inserted(value, &closed);
-                if is_new && value.symbols().is_empty() {
+                let value = inserted(&inserted(value, &closed), &self.relations);
+                let is_number = || match value.symbols().is_empty() {
+                    true => true,
+                    false => !self.relations.is_empty() && number(checker, &value).is_some(),
+                };
+                if is_new && is_number() {
                     closed.push((*id, value));
                 }
             }
         }
+        closed.extend(
+            self.relations
+                .iter()
+                .filter(|(id, _)| closed.iter().all(|(known, _)| known != id))
+                .cloned()
+                .collect::<Vec<_>>(),
+        );
         closed
     }
 
@@ -70,7 +103,7 @@ impl Known {
         if !self.is_any_number {
             return false;
         }
-        let closed = self.numbers();
+        let closed = self.numbers(checker);
         let mut any = false;
         let all = reading.statements.iter().all(|statement| {
             let Ok(statement) = statement else { return false };
@@ -140,11 +173,9 @@ fn inserted(formula: &Expr, numbers: &[((SymbolId, u8), Expr)]) -> Expr {
     formula
 }
 
-/// The value of a formula without symbols.
+/// The value of a formula that has the same one whatever its symbols are: without symbols, or where they cancel.
 fn number(checker: &Checker<'_>, formula: &Expr) -> Option<f64> {
-    if !formula.symbols().is_empty() {
-        return None;
-    }
+    let states = if formula.symbols().is_empty() { 1 } else { FEWEST };
     let context = Context {
         model: checker.model,
         options: checker.options,
@@ -155,8 +186,11 @@ fn number(checker: &Checker<'_>, formula: &Expr) -> Option<f64> {
         spread: Spread::Declared,
         local: &[],
     };
-    let ensemble = context.ensemble(context.mode(false, &[formula]), false, 1).ok()?;
-    Some(difference::value(formula, ensemble.states.first()?)?.value)
+    let ensemble = context.ensemble(context.mode(false, &[formula]), false, states).ok()?;
+    let values = ensemble.states.iter().map(|state| Some(difference::value(formula, state)?.value));
+    let values: Vec<f64> = values.collect::<Option<_>>()?;
+    let first = *values.first().filter(|_| values.len() >= states)?;
+    values.iter().all(|value| (value - first).abs() <= EQUAL * first.abs()).then_some(first)
 }
 
 /// Half a unit of the last digit of a printed number, if it has two digits or more: 0.05 for `57.7`, 50 for `1.2 \cdot 10^3`.

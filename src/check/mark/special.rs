@@ -29,12 +29,16 @@ pub(super) struct Special {
     ways: Vec<Name>,
     /// Places of rest that have a name, each with the coordinate.
     places: Vec<(Name, Name)>,
+    /// What makes them places of rest, as LaTeX.
+    conditions_of_rest: Vec<String>,
     /// Whether the problem asks for small oscillations.
     has_modes: bool,
+    /// Whether it asks for small oscillations about a place that has a name.
+    has_modes_at_places: bool,
 }
 
 impl Special {
-    /// Those of a problem.
+    /// Those of a problem, in which each claim has the number of its equation as address.
     pub fn of(checker: &Checker<'_>, claims: &Claims) -> Special {
         let model = checker.model;
         let is_moving = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
@@ -62,7 +66,14 @@ impl Special {
         let at =
             claims.equations.iter().filter(|(_, claim)| claim.equilibrium.is_some()).flat_map(|(_, claim)| &claim.at);
         let parsed = |text: &Spanned<String>| Some(names::parse(&text.value)?.0);
+        let rests = |claim: &Claim| claim.equilibrium.is_some() && !claim.at.is_empty();
+        let numbers = claims.equations.iter().filter(|(_, claim)| rests(claim)).map(|(address, _)| &address.text);
+        let displays = &checker.notes.equations;
+        let display = |number: &String| displays.iter().find(|display| display.id() == Some(number.as_str()));
+        let is_asked = |what: &str| claims.means.iter().any(|(_, meaning)| meaning.value.starts_with(what));
         Special {
+            conditions_of_rest: numbers.filter_map(display).map(|display| display.text.clone()).collect(),
+            has_modes_at_places: is_asked("frequency of small oscillations"),
             ways: ways.map(name).collect(),
             speeds: speeds.iter().copied().map(name).collect(),
             moving: moving.into_iter().map(name).collect(),
@@ -126,6 +137,16 @@ impl Special {
     /// Places of rest that have a name, each with the coordinate.
     pub fn places(&self) -> &[(Name, Name)] {
         &self.places
+    }
+
+    /// What makes them places of rest, as LaTeX.
+    pub fn conditions_of_rest(&self) -> &[String] {
+        &self.conditions_of_rest
+    }
+
+    /// Whether the problem asks for small oscillations about a place that has a name.
+    pub fn has_modes_at_places(&self) -> bool {
+        self.has_modes_at_places
     }
 
     /// Whether a line says in linear terms what holds for small motion. `is_said` if the text speaks of it.

@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use crate::Result;
 use crate::formula::symbols::Name;
+use crate::latex::foreign::FUNCTION_WORDS;
 use crate::latex::rename::{Renamed, renamed, renamed_with};
 use crate::latex::{Macros, names};
 use crate::notes::claims::{Claims, Declaration, Range, Role, Spanned};
@@ -22,7 +23,7 @@ use crate::check::unaided::guess::names::{Usage, names_of};
 use super::names::Letters;
 use super::problem::Problem;
 use super::written::Written;
-use super::written::instants::Instant;
+use super::written::instants::{Instant, Kind};
 use super::written::single_letters;
 
 /// What an edit puts in, with the letters of the problem, if it is a name.
@@ -32,15 +33,11 @@ fn in_letters(new: &str, table: &HashMap<Name, Name>) -> String {
     other.map_or_else(|| new.to_owned(), |other| format!("{{{other}}}"))
 }
 
-/// Commands for functions in other languages.
-const FOREIGN: [(&str, &str); 6] = [
-    ("\\sen", "\\sin"),
-    ("\\tg", "\\tan"),
-    ("\\ctg", "\\cot"),
-    ("\\arctg", "\\arctan"),
-    ("\\arcsen", "\\arcsin"),
-    ("\\sh", "\\sinh"),
-];
+/// Commands for functions in other languages, with the ones that are read.
+fn foreign_commands() -> impl Iterator<Item = (String, &'static str)> {
+    let named = FUNCTION_WORDS.iter().map(|(word, own)| (format!("\\{word}"), *own));
+    named.filter(|(name, own)| name != own)
+}
 
 /// How often the lines are read again with the names that were missing.
 const ROUNDS: usize = 4;
@@ -76,7 +73,7 @@ impl<'p> World<'p> {
         let table = &problem.names.renamed(letters);
         let mut macros = Macros::default();
         define_macros(&notes.macros, &mut macros);
-        FOREIGN.iter().for_each(|(name, body)| macros.define(name, 0, body));
+        foreign_commands().for_each(|(name, body)| macros.define(&name, 0, body));
         let mut text = String::new();
         let mut lines = Vec::new();
         let mut displays = Vec::new();
@@ -143,11 +140,11 @@ impl<'p> World<'p> {
         let mut together = problem.notes.clone();
         together.source = Arc::new(Source::new(notes.source.path.clone(), text));
         together.equations = problem.notes.equations.iter().map(moved).chain(rates).chain(displays).collect();
-        let foreign = FOREIGN.iter().map(|(name, body)| MacroDefinition {
-            name: (*name).to_owned(),
+        let foreign = foreign_commands().map(|(name, body)| MacroDefinition {
+            name,
             arguments: 0,
             form: Form::Plain,
-            body: (*body).to_owned(),
+            body: body.to_owned(),
             span: Span::default(),
         });
         together.macros.extend(foreign);
@@ -161,6 +158,10 @@ impl<'p> World<'p> {
             name: instant.name.clone(),
             of: renamed(&instant.of, &macros, table).text,
             when: renamed(&instant.when, &macros, table).text,
+            kind: match &instant.kind {
+                Kind::Of(letter) => Kind::Of(renamed(letter, &macros, table).text),
+                other => other.clone(),
+            },
         });
         let mut world = World {
             problem,

@@ -3,12 +3,15 @@
 //! between statements; what a slash divides; separated differentials; and the sum of all forces.
 
 mod differentials;
+mod functions;
 mod slashes;
 mod units;
 mod words;
 
 use crate::source::Span;
 
+#[cfg(feature = "cli")]
+pub use functions::WORDS as FUNCTION_WORDS;
 pub use slashes::products_in_lines;
 #[cfg(feature = "cli")]
 pub use words::{says_or, separated};
@@ -16,37 +19,13 @@ pub use words::{says_or, separated};
 use slashes::divided;
 use units::{degrees, numbers, units};
 
-/// The functions as other languages write them.
-const FUNCTIONS: [(&str, &str); 16] = [
-    ("\\text{sen}", "\\sin"),
-    ("\\text{sin}", "\\sin"),
-    ("\\operatorname{sen}", "\\sin"),
-    ("\\operatorname{sin}", "\\sin"),
-    ("\\operatorname{cos}", "\\cos"),
-    ("\\operatorname{tg}", "\\tan"),
-    ("\\operatorname{tan}", "\\tan"),
-    ("\\operatorname{ctg}", "\\cot"),
-    ("\\operatorname{arctg}", "\\arctan"),
-    ("\\operatorname{arcsen}", "\\arcsin"),
-    ("\\mathrm{sen}", "\\sin"),
-    ("\\mathrm{sin}", "\\sin"),
-    ("\\mathrm{cos}", "\\cos"),
-    ("\\mathrm{tg}", "\\tan"),
-    ("\\mathrm{arctg}", "\\arctan"),
-    ("\\mathrm{sh}", "\\sinh"),
-];
-
 /// The functions whose power may stand after the parenthesis.
 const POWERED: [&str; 6] = ["\\sin", "\\cos", "\\tan", "\\cot", "\\sinh", "\\cosh"];
 
 /// The edits of a text that make what is written by hand readable, in no order.
 pub(super) fn edits(text: &str) -> Vec<(Span, String)> {
     let mut edits = Vec::new();
-    let is_subscript = |at: usize| text[..at].trim_end_matches('{').ends_with('_');
-    for (foreign, own) in FUNCTIONS {
-        let found = text.match_indices(foreign).filter(|(at, _)| !is_subscript(*at));
-        edits.extend(found.map(|(at, _)| (Span::new(at, at + foreign.len()), own.to_owned())));
-    }
+    edits.extend(functions::words(text));
     for function in POWERED {
         edits.extend(
             text.match_indices(function).filter_map(|(at, _)| power_moved(text, at + function.len())).flatten(),

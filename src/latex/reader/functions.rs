@@ -252,11 +252,12 @@ impl Reader<'_> {
                 let is_rate =
                     ["\\omega", "\\Omega", "\\nu", "\\gamma", "\\lambda", "\\beta", "\\delta"].contains(&bare);
                 let is_place = ["x", "y", "z", "r"].contains(&second.base.as_str()) && second.subscript.is_empty();
-                // So is any letter before the time in a hyperbolic function: cosh αt.
-                (is_rate || run.is_hyperbolic) && Some(second) == self.symbols.time.as_ref()
+                // So is any letter before an instant in a hyperbolic function: cosh αt_1.
+                (is_rate || run.is_hyperbolic) && self.is_instant(second)
                     || ["k", "q", "\\kappa"].contains(&base) && is_place
+                    || run.is_hyperbolic && Self::ends_the_term(items, run.end)
             }
-            _ => false,
+            _ => run.is_hyperbolic && Self::ends_the_term(items, run.end),
         };
         let next = items.get(run.end);
         let parenthesis = match next.map(|item| &item.layout) {
@@ -317,6 +318,19 @@ impl Reader<'_> {
     fn time_follows(&self, items: &[Item], at: usize) -> bool {
         let space = items.get(at).is_some_and(|item| matches!(item.layout, Layout::Space(Space::Thin)));
         space && self.is_time(items.get(at + 1))
+    }
+
+    /// Whether a name is the time, or with a subscript an instant: `\omega t_1`.
+    fn is_instant(&self, name: &Name) -> bool {
+        self.symbols
+            .time
+            .as_ref()
+            .is_some_and(|time| Name { subscript: time.subscript.clone(), ..name.clone() } == *time)
+    }
+
+    /// Whether the term ends here: a hyperbolic function has no angle after which a factor could stand.
+    fn ends_the_term(items: &[Item], at: usize) -> bool {
+        items.iter().skip(at).all(|item| matches!(item.layout, Layout::Space(Space::Thin)))
     }
 
     /// Whether an item is the time.

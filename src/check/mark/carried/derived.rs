@@ -1,15 +1,18 @@
 //! What a false line says in other words, so that a step from it is found: inserted into a true line, at a place of rest, for
 //! small motion, at an instant, or by the equation of Euler and Lagrange.
 
-use crate::formula::derivative::{Scope, partial};
+use crate::formula::calculus::places::at;
+use crate::formula::derivative::{Scope, partial, rate};
 use crate::formula::symbols::Name;
 use crate::formula::tree::Variable;
 use crate::formula::{Expr, Node, Statement, SymbolId};
-use crate::latex::Reading;
+use crate::latex::{Reading, names};
+use crate::notes::Display;
 use crate::notes::claims::Claim;
 
 use crate::check::document::checker::Checker;
 use crate::check::mark::given::solved_for;
+use crate::check::mark::names::moving;
 use crate::check::model::meaning::Meaning;
 
 /// The most constants of a line that are tried as the value of a coordinate at an instant.
@@ -35,18 +38,35 @@ pub(super) fn insertions(checker: &Checker<'_>, wrong: &Reading, others: &[usize
 
 /// The equation of motion that follows from a false slope of the Lagrangian: `\frac{\partial L}{\partial\theta} = …`.
 pub(super) fn motion_by_a_slope(checker: &Checker<'_>, from: usize) -> Option<Reading> {
-    let text = &checker.notes.equations[from].text;
+    let (of, by, value) = slope(&checker.notes.equations[from].text)?;
+    let text = format!("\\frac{{d}}{{dt}}\\frac{{\\partial {of}}}{{\\partial\\dot{{{by}}}}} = {value}");
+    let reading = checker.as_printed(&text, &Claim::default(), &checker.model.macros);
+    reading.statements.iter().all(Result::is_ok).then_some(reading)
+}
+
+/// The same with the rate of the momentum written out, which is then no name.
+pub(super) fn motion_written_out(checker: &Checker<'_>, from: usize) -> Option<Reading> {
+    let [Ok(statement)] = checker.readings[from].statements.as_slice() else { return None };
+    let (of, by, _) = slope(&checker.notes.equations[from].text)?;
+    let symbols = &checker.model.symbols;
+    let find = |name: &str| Some(symbols.find(&names::parse(name)?.0)?.0);
+    let (of, by) = (find(of)?, find(by)?);
+    let (scope, span) = (Scope { symbols, fixed: &[] }, statement.span);
+    let lagrangian = Expr::new(Node::Symbol { id: of, indices: Vec::new(), dots: 0 }, span);
+    let momentum = partial(&lagrangian, &Variable { id: by, indices: Vec::new(), dots: 1 }, scope, span).ok()?;
+    let members = vec![rate(&momentum, scope, span).ok()?, statement.members.last()?.clone()];
+    let statement = Statement { members, relations: statement.relations[..1].to_vec(), ..statement.clone() };
+    Some(Reading { statements: vec![Ok(statement)], introduced: Vec::new() })
+}
+
+/// The names in the slope of a function that a text gives, and its value: `L`, `\theta` and what is right of the last =.
+fn slope(text: &str) -> Option<(&str, &str, &str)> {
     let rest = text.trim_start().strip_prefix("\\frac{\\partial")?;
     let (of, rest) = rest.split_once("}{\\partial")?;
     let (by, rest) = rest.split_once('}')?;
     let value = rest.trim_start().strip_prefix('=')?.rsplit('=').next()?;
     let is_name = |text: &str| text.len() < 40 && !text.contains(['=', '{', '}']);
-    if !is_name(of) || !is_name(by) || by.contains("\\dot") {
-        return None;
-    }
-    let text = format!("\\frac{{d}}{{dt}}\\frac{{\\partial {of}}}{{\\partial\\dot{{{}}}}} = {value}", by.trim());
-    let reading = checker.as_printed(&text, &Claim::default(), &checker.model.macros);
-    reading.statements.iter().all(Result::is_ok).then_some(reading)
+    (is_name(of) && is_name(by) && !by.contains("\\dot")).then(|| (of.trim(), by.trim(), value))
 }
 
 /// A false line where the coordinates are at a place of rest: `(\theta, \theta_0)` for each that has a name.
@@ -96,16 +116,52 @@ pub(super) fn with_frequency(
     let span = value.span;
     let place = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, span);
     let square = Expr::new(Node::Quotient(Box::new(value.negated()), Box::new(place)), span);
+    Some(with_square(own, frequency, &square))
+}
+
+/// A line with a formula in the place of the square of a frequency.
+pub(super) fn with_square(own: &Reading, frequency: SymbolId, square: &Expr) -> Reading {
     let is_frequency = |expr: &Expr| expr.as_plain_symbol() == Some(frequency);
-    Some(replaced(own, &|node| match node {
+    replaced(own, &|node| match node {
         Node::Power(base, power) if is_frequency(base) && matches!(&power.node, Node::Number(two) if two == "2") => {
             Some(square.clone())
         }
         Node::Symbol { id, dots: 0, .. } if *id == frequency => {
-            Some(Expr::new(Node::Root(2, Box::new(square.clone())), span))
+            Some(Expr::new(Node::Root(2, Box::new(square.clone())), square.span))
         }
         _ => None,
-    }))
+    })
+}
+
+/// What a false function of the time says where the problem says what the value at an instant is: `v(t_h) = \frac12 v_\infty`
+/// gives `\frac{m g}{k}(1 - e^{-k t_h/m}) = \frac12 v_\infty`. `first` is the number of displays that are the problem's.
+pub(super) fn at_instants_of_the_problem(checker: &Checker<'_>, wrong: &Reading, first: usize) -> Vec<Reading> {
+    let [Ok(statement)] = wrong.statements.as_slice() else { return Vec::new() };
+    let [name, .., formula] = statement.members.as_slice() else { return Vec::new() };
+    let model = checker.model;
+    let is_time = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::Time));
+    let Some(time) = model.symbols.iter().map(|(id, _)| id).find(is_time) else { return Vec::new() };
+    let moving: Vec<SymbolId> = moving(model).into_iter().filter(|id| *id != time).collect();
+    let Some(id) = name.as_plain_symbol().filter(|_| model.depends_on(name, &moving)) else { return Vec::new() };
+    if !formula.symbols().contains(&(time, 0)) {
+        return Vec::new();
+    }
+    let shown = model.name(id);
+    let value = |display: &Display| {
+        let rest = display.text.trim_start().strip_prefix(shown.as_str())?.trim_start().strip_prefix('(')?;
+        let (when, rest) = rest.split_once(')')?;
+        let value = rest.trim_start().strip_prefix('=')?.rsplit('=').next()?;
+        let said = checker.as_printed(&format!("{when} = {value}"), &Claim::default(), &model.macros);
+        let [Ok(said)] = said.statements.as_slice() else { return None };
+        let [when, value] = said.members.as_slice() else { return None };
+        // At the time itself it is no instant.
+        when.as_plain_symbol().filter(|when| *when != time)?;
+        let members = vec![at(formula, time, when), value.clone()];
+        let relations = statement.relations[..1].to_vec();
+        let statement = Statement { members, relations, ..statement.clone() };
+        Some(Reading { statements: vec![Ok(statement)], introduced: Vec::new() })
+    };
+    checker.notes.equations[..first].iter().filter_map(value).collect()
 }
 
 /// What a false function of the time says at an instant, for the constants of a line: `y = \frac14 g t^2` says
@@ -122,7 +178,7 @@ pub(super) fn at_instants(checker: &Checker<'_>, wrong: &Reading, own: &Reading)
         return Vec::new();
     }
     let by = Variable { id: time, indices: Vec::new(), dots: 0 };
-    let rate = partial(formula, &by, Scope { symbols: &model.symbols, fixed: &[] }, formula.span).ok();
+    let slope = partial(formula, &by, Scope { symbols: &model.symbols, fixed: &[] }, formula.span).ok();
     let fixed = |(id, dots): &(SymbolId, u8)| *dots == 0 && !is_time(id);
     let names: Vec<SymbolId> = symbols(own).into_iter().filter(fixed).map(|(id, _)| id).collect();
     let letter = |id: SymbolId| model.symbols.entry(id).name.base.as_str();
@@ -132,9 +188,9 @@ pub(super) fn at_instants(checker: &Checker<'_>, wrong: &Reading, own: &Reading)
     for when in names.iter().filter(is_instant).take(TRIED) {
         for value in names.iter().filter(is_value).take(TRIED) {
             let is_speed = ["v", "u", "w", "V", "\\omega"].contains(&letter(*value));
-            let Some(formula) = (if is_speed && *dots == 0 { rate.as_ref() } else { Some(formula) }) else { continue };
+            let Some(formula) = (if is_speed && *dots == 0 { slope.as_ref() } else { Some(formula) }) else { continue };
             let symbol = |id| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, formula.span);
-            let members = vec![symbol(*value), crate::formula::calculus::places::at(formula, time, &symbol(*when))];
+            let members = vec![symbol(*value), at(formula, time, &symbol(*when))];
             let relations = statement.relations[..1].to_vec();
             let statement = Statement { members, relations, ..statement.clone() };
             found.push(Reading { statements: vec![Ok(statement)], introduced: Vec::new() });

@@ -1,6 +1,8 @@
 //! Follow-through: the false line before it from which a false line follows.
 
+mod about_rest;
 mod another_value;
+mod change;
 mod derived;
 pub(super) mod energies;
 pub(super) mod numbers;
@@ -72,7 +74,10 @@ pub(super) fn origin(
         if is_inserted || numbers::follows(checker, *from, before, own) {
             return Ok(Some(*from));
         }
-        if is_about_rest(checker, wrong, (at, own), before.special) {
+        if is_about_rest(checker, wrong, (at, own), before.special)
+            || about_rest::follows(checker, *from, own, before)
+            || change::follows(checker, *from, own)
+        {
             return Ok(Some(*from));
         }
         if pieces.is_empty() {
@@ -139,8 +144,8 @@ fn definition_in_place(checker: &Checker<'_>, from: usize) -> Option<(usize, Str
     (place != from).then(|| (place, format!("{} = {value}", checker.model.name(name))))
 }
 
-/// Whether two false lines hold if one constant is taken for another value: its negative, its double, its half; or an angle
-/// for what it lacks to a right angle. Then both have the same mistake.
+/// Whether two false lines hold if one constant is taken for another value: its negative, its double, its half, its reciprocal; or
+/// an angle for what it lacks to a right angle. Then both have the same mistake.
 fn shares_a_misreading(checker: &Checker<'_>, from: usize, (at, own): (usize, &Reading)) -> bool {
     let symbols = |reading: &Reading| -> Vec<SymbolId> {
         let members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
@@ -176,6 +181,7 @@ fn misreadings(checker: &Checker<'_>, id: SymbolId) -> Vec<Expr> {
     let mut all = vec![symbol.negated()];
     all.extend(times(r"2 \, #"));
     all.extend(times(r"\frac{1}{2} \, #"));
+    all.extend(times(r"\frac{1}{#}"));
     all
 }
 

@@ -18,6 +18,7 @@ use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome;
 
+use super::super::names::moving;
 use super::super::status::{Status, status};
 use super::{Before, derived};
 
@@ -115,9 +116,12 @@ pub(in crate::check::mark) fn follows(
             return true;
         }
     }
+    derived.extend(derived::motion_written_out(checker, from));
     derived.extend(derived::at_instants(checker, &checker.readings[from], reading));
     derived.extend(derived::at_turns(checker, &checker.readings[from], reading));
     derived.extend(before.motion.at_start(checker, &checker.readings[from]));
+    let of_problem = before.all.first().copied().unwrap_or(from);
+    derived.extend(derived::at_instants_of_the_problem(checker, &checker.readings[from], of_problem));
     let derived: Vec<Vec<Link>> = derived.iter().filter_map(|reading| links(checker, reading)).collect();
     let rates: Vec<Link> = wrong.iter().filter_map(|link| rate(checker, link)).collect();
     let mut sets = vec![premises(&mut wrong.iter()), premises(&mut rates.iter())];
@@ -137,11 +141,13 @@ pub(in crate::check::mark) fn follows(
     if sets.iter().any(|set| holds_all(&model, set)) {
         return true;
     }
+    if is_first_integral(checker, (&model, &sets[0]), (reading, &own), before) {
+        return true;
+    }
     // What the problem says of its own quantities may contradict a false line; by algebra alone a step may still follow.
     let mut names: Vec<SymbolId> = Vec::new();
     let of_problem = |id: SymbolId| {
-        let first = before.all.first().copied().unwrap_or(from);
-        checker.readings[..first].iter().flat_map(|reading| &reading.introduced).any(|new| new.symbol == id)
+        checker.readings[..of_problem].iter().flat_map(|reading| &reading.introduced).any(|new| new.symbol == id)
     };
     for (id, _) in wrong.iter().chain(&own).flat_map(|link| link.lhs.symbols().into_iter().chain(link.rhs.symbols())) {
         if !names.contains(&id) && of_problem(id) && matches!(model.meaning(id), Some(Meaning::Defined(_))) {
@@ -182,6 +188,37 @@ pub(in crate::check::mark) fn follows(
     let beside = derived.iter().flat_map(|derived| others.iter().map(move |other| (derived, other)));
     sets.extend(beside.map(|(derived, other)| premises(&mut derived.iter().chain(other))));
     !names.is_empty() && sets.iter().any(|set| holds_all(&open, set) || holds_all(&positive, set))
+}
+
+/// Whether a line is what a false line becomes when it is integrated from the start: its rate holds wherever the false line does,
+/// and it holds at the start of the motion.
+fn is_first_integral(
+    checker: &Checker<'_>,
+    (model, wrong): (&Model, &[Hypothesis]),
+    (reading, own): (&Reading, &[Link]),
+    before: &Before<'_>,
+) -> bool {
+    let moving = moving(checker.model);
+    let moves = |link: &Link| [&link.lhs, &link.rhs].iter().any(|side| model.depends_on(side, &moving));
+    if wrong.is_empty() || !own.iter().all(moves) {
+        return false;
+    }
+    let Some(start) = before.motion.at_start(checker, reading).and_then(|start| links(checker, &start)) else {
+        return false;
+    };
+    let starts = || {
+        start.iter().all(|link| {
+            let zero = Expr::integer(0, link.lhs.span);
+            let off = checker.link(&link.lhs.clone().minus(link.rhs.clone()), Relation::Equal, &zero);
+            off.is_ok_and(|off| holds(checker, checker.model, &beside_one(checker, &off), &[]) == Some(true))
+        })
+    };
+    let follows = |link: &Link| {
+        let Some(rate) = rate(checker, link) else { return false };
+        holds(checker, model, &beside_one(checker, &rate), wrong) == Some(true)
+            && twice(checker, &rate).is_none_or(|twice| holds(checker, model, &twice, wrong) == Some(false))
+    };
+    own.iter().all(follows) && starts()
 }
 
 /// The quantities among `names` that are rates of a coordinate along the motion of the problem, as links.
@@ -301,7 +338,7 @@ pub(in crate::check::mark) fn inserted(checker: &Checker<'_>, from: &Reading, ow
 }
 
 /// The equalities of a reading; `None`, if it has others, or none.
-fn links(checker: &Checker<'_>, reading: &Reading) -> Option<Vec<Link>> {
+pub(super) fn links(checker: &Checker<'_>, reading: &Reading) -> Option<Vec<Link>> {
     let mut found = Vec::new();
     for statement in &reading.statements {
         let statement = statement.as_ref().ok()?;
@@ -320,7 +357,7 @@ fn rate(checker: &Checker<'_>, link: &Link) -> Option<Link> {
 }
 
 /// A link to which 1 is added, if a side is 0: then its sides can be compared where they vanish.
-fn beside_one(checker: &Checker<'_>, link: &Link) -> Link {
+pub(super) fn beside_one(checker: &Checker<'_>, link: &Link) -> Link {
     let one = || Expr::integer(1, link.lhs.span).negated();
     let more = |side: &Expr| side.clone().minus(one());
     match link.lhs.is_null() || link.rhs.is_null() {
@@ -330,7 +367,7 @@ fn beside_one(checker: &Checker<'_>, link: &Link) -> Link {
 }
 
 /// A link with twice the right side, unless a side is 0.
-fn twice(checker: &Checker<'_>, link: &Link) -> Option<Link> {
+pub(super) fn twice(checker: &Checker<'_>, link: &Link) -> Option<Link> {
     if link.lhs.is_null() || link.rhs.is_null() {
         return None;
     }

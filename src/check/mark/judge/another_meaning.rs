@@ -8,12 +8,14 @@ use crate::notes::claims::Lost;
 use crate::source::Span;
 
 use crate::check::mark::given::Implied;
+use crate::check::mark::marked::Mark;
 use crate::check::mark::names::moving;
 use crate::check::mark::slip;
 use crate::check::mark::status::{Status, composed};
 use crate::check::mark::written::single_letters;
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
+use crate::check::verdict::Verdict;
 
 use super::Judge;
 
@@ -24,10 +26,31 @@ impl Judge<'_, '_> {
         self.world.declared.contains(&symbols.entry(id).name)
     }
 
-    /// Whether a line says no more than what a quantity of the student's own is.
-    pub(super) fn gives(&self, display: usize, reading: &Reading, implied: &Implied) -> bool {
+    /// What a line says that quantities of the student's own are, with the first of them, if it says no more; `None`, if it does.
+    pub(super) fn given_by(&self, display: usize, reading: &Reading, implied: Implied) -> Option<Vec<Implied>> {
         let is_short = reading.statements.iter().flatten().all(|statement| statement.members.len() == 2);
-        is_short || matches!(self.status(display, &implied.applied(reading.clone())).0, Status::Holds(_))
+        let rest = implied.applied(reading.clone());
+        if is_short || matches!(self.status(display, &rest).0, Status::Holds(_)) {
+            return Some(vec![implied]);
+        }
+        // In a chain each link may say what another quantity is: `n C_V \dot T = -p \dot V = -\frac{n R T}{V} \dot V`.
+        let mut all = vec![implied];
+        for statement in reading.statements.iter().flatten() {
+            for (pair, relation) in statement.members.windows(2).zip(&statement.relations) {
+                let link = Statement { members: pair.to_vec(), relations: vec![*relation], ..statement.clone() };
+                let link = all.iter().fold(alone_of(link), |link, known| known.applied(link));
+                let is_trivial = link.statements.iter().flatten().any(|link| link.members[0] == link.members[1]);
+                if is_trivial || matches!(self.status(display, &link).0, Status::Holds(_)) {
+                    continue;
+                }
+                let next = Implied::by(self.quiet, (&self.world.declared, &self.open), &link)?;
+                if all.iter().any(|known| known.symbol() == next.symbol()) {
+                    return None;
+                }
+                all.push(next);
+            }
+        }
+        Some(all)
     }
 
     /// Whether a line that does not hold may be true, since it has quantities of the student's own of which no line says what
@@ -73,6 +96,41 @@ impl Judge<'_, '_> {
         let symbols: Vec<(SymbolId, u8)> = statement.members.iter().flat_map(Expr::symbols).collect();
         let is_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
         is_equal && statement.members.len() == 2 && !symbols.is_empty() && symbols.iter().all(is_constant)
+    }
+
+    /// Whether a statement gives a product or a quotient of constants a number, `\frac{V_1}{V_2} = 10`, which neither the problem
+    /// nor the numbers of the student decide.
+    pub(super) fn is_ratio_of_data(&self, statement: &Statement) -> bool {
+        let [first, second] = statement.members.as_slice() else { return false };
+        let of_problem = &self.quiet.readings[..self.world.problem.notes.equations.len()];
+        let printed = of_problem.iter().flat_map(|reading| reading.statements.iter().flatten());
+        let model = self.quiet.model;
+        let is_place = |id: SymbolId| {
+            let name = &model.symbols.entry(id).name;
+            self.world.problem.special.places().iter().any(|(_, place)| place == name)
+        };
+        let is_number = second.symbols().is_empty() && first.symbols().len() > 1;
+        is_number
+            && self.relates_constants(statement)
+            && is_monomial(first)
+            && !self.known.determines(self.quiet, first)
+            && !self.world.problem.contexts.iter().any(|claim| !claim.assume.is_empty())
+            && !first.symbols().iter().any(|(id, _)| is_place(*id))
+            && !printed.flat_map(|known| &known.members).any(|known| known == first)
+    }
+
+    /// Whether the line before a line stands in the same row, and gives a quantity a number.
+    pub(super) fn stands_beside_a_value(&self, at: usize) -> bool {
+        let (Some(before), Some(written)) = (at.checked_sub(1), self.world.written.get(at)) else { return false };
+        let is_value = |statement: &Statement| {
+            statement.members.len() == 2 && statement.members.iter().any(|member| member.symbols().is_empty())
+        };
+        let own = &self.quiet.readings[self.world.first + before];
+        self.world.written[before].line == written.line
+            && self.world.written[before].inline == written.inline
+            && self.lines[before].mark == Mark::Given
+            && self.lines[before].verdict == Some(Verdict::Assumed)
+            && own.statements.iter().flatten().all(is_value)
     }
 
     /// Why a false line may be true with another meaning of its letters; `None`, if it says something false beside that.
@@ -157,6 +215,16 @@ impl Judge<'_, '_> {
 
     fn shown(&self, id: SymbolId) -> String {
         self.world.in_own_letters(&self.quiet.model.name(id))
+    }
+}
+
+/// Whether a formula is made of symbols and numbers by products, quotients and powers.
+fn is_monomial(formula: &Expr) -> bool {
+    match &formula.node {
+        Node::Symbol { .. } | Node::Number(_) => true,
+        Node::Product(_) | Node::Quotient(..) => formula.children().into_iter().all(is_monomial),
+        Node::Power(base, power) => is_monomial(base) && matches!(power.node, Node::Number(_)),
+        _ => false,
     }
 }
 

@@ -18,6 +18,7 @@ use super::given::{self, Implied};
 use super::judged::{self, Judged};
 use super::marked::{Line, Mark};
 use super::motion::{Along, Motion};
+use super::near_rest;
 use super::results;
 use super::rounded::Known;
 use super::slip;
@@ -257,10 +258,25 @@ impl Judge<'_, '_> {
             self.breaks.push((name, written.name.clone()));
             return Ok(());
         }
-        if written.is_if && statements.iter().all(|statement| self.relates_constants(statement)) {
+        let is_ratio = written.continues.is_none()
+            && !statements.is_empty()
+            && statements.iter().all(|statement| self.is_ratio_of_data(statement));
+        let is_case = written.is_if || written.is_example;
+        if is_case && statements.iter().all(|statement| self.relates_constants(statement))
+            || is_ratio && self.stands_beside_a_value(at)
+        {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
             line.because = "a condition, taken for granted".to_owned();
             self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
+            self.known.add_relation(self.quiet, reading);
+            return Ok(());
+        }
+        if is_ratio {
+            (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
+            line.because =
+                "a condition that the problem does not have, and no word before it says that it is one".to_owned();
+            self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
+            self.known.add_relation(self.quiet, reading);
             return Ok(());
         }
         if self.has_unknown_instant(reading) {
@@ -270,7 +286,7 @@ impl Judge<'_, '_> {
             return Ok(());
         }
         if let Some(implied) = Implied::by(self.quiet, (&self.world.declared, &self.open), reading)
-            && self.gives(display, reading, &implied)
+            && let Some(all) = self.given_by(display, reading, implied.clone())
             && (self.names_the_last(display, reading, &implied) || !(self.details && self.is_slip(at)?))
         {
             (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
@@ -278,7 +294,7 @@ impl Judge<'_, '_> {
                 true => format!("says what {} is, which the problem leaves open", implied.name(self.quiet)),
                 false => format!("defines {}, which the problem does not have", implied.name(self.quiet)),
             };
-            self.implied.push(implied);
+            self.implied.extend(all);
             return Ok(());
         }
         if self.is_rounded(display, reading) {
@@ -436,6 +452,9 @@ impl Judge<'_, '_> {
         let is_near = self.world.written[display - self.world.first].is_near;
         if special.is_linearized(&checker, display, reading, is_near) {
             return (Status::Holds(Verdict::Verified), "follows for small motion".to_owned());
+        }
+        if (is_near || special.has_modes_at_places()) && near_rest::holds(&checker, self.world, display, reading) {
+            return (Status::Holds(Verdict::Verified), "follows for small motion about the place of rest".to_owned());
         }
         if let Some((text, name)) = self.conditions.last() {
             let span = Span::default();

@@ -47,7 +47,7 @@ pub(super) fn tables(
     let is_sound = |table: &Letters| {
         let stands = |a: &Name| is_own(a) || is_number(a);
         let is_open = |b: &Name| is_free(b) || table.contains_key(b);
-        table.iter().all(|(a, b)| stands(a) && is_open(&b.name) && is_number(&b.name))
+        table.iter().all(|(a, b)| stands(a) && is_open(&b.name) && is_number(&b.name)) && !is_exchange(table)
     };
     // The letters with which a line is an equation of the problem, beside those that are known.
     let more = |known: &Pairs, line: &(Expr, Expr), display: &(Expr, Expr)| -> Option<Pairs> {
@@ -75,6 +75,23 @@ pub(super) fn tables(
     found.sort_by_key(|table| std::cmp::Reverse(table.len()));
     found.truncate(MOST);
     found
+}
+
+/// Whether letters of the problem only change places among themselves, as m and k do in `e^{-mt/k}`: that is a mistake.
+fn is_exchange(table: &Letters) -> bool {
+    table.keys().any(|start| {
+        let mut at = start;
+        for _ in 0..table.len() {
+            match table.get(at) {
+                Some(next) => at = &next.name,
+                None => return false,
+            }
+            if at == start {
+                return true;
+            }
+        }
+        false
+    })
 }
 
 /// Letters of the hand-in with those of the problem to which they correspond.

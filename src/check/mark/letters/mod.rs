@@ -27,7 +27,7 @@ use crate::check::mark::marked::Mark;
 use crate::check::mark::names::{Letters, Names, Role, StandsFor};
 use crate::check::mark::problem::{self, Problem};
 use crate::check::mark::world::World;
-use crate::check::mark::written::{Written, instants, single_letters, written};
+use crate::check::mark::written::{Written, functions, instants, single_letters, written};
 
 /// The most ways that are tried.
 const WAYS: usize = 60;
@@ -48,9 +48,11 @@ pub(in crate::check::mark) fn best(
     define_macros(&notes.macros, &mut macros);
     let mut lines = written(notes, &macros);
     instants::without_ohms(&mut lines, &problem.names);
-    let instants = instants::named(&mut lines, &problem.names);
+    let mut instants = instants::named(&mut lines, &problem.names);
+    functions::of_constants(&mut lines, &problem.names, &mut instants);
     single_letters::instants(&mut lines, &problem.names, &macros);
     single_letters::charges(&mut lines, &problem.names);
+    single_letters::lengths(&mut lines, &problem.names);
     let used = usages(notes, &lines, &macros);
     let known = &problem.names;
     let declared = declared(problem, &used);

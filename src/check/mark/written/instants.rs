@@ -1,4 +1,5 @@
-//! Values at an instant: `y(0) = -x_0`, `q(t_h) = \frac12 Q_0`. In a hand-in the parenthesis after what moves says when.
+//! Values at an instant: `y(0) = -x_0`, `q(t_h) = \frac12 Q_0`. In a hand-in the parenthesis after what moves says when. And what
+//! has come together up to the time: `\int_0^t I(t')\,dt'`.
 //!
 //! Each such value gets a name of its own before the line is read. Where the model solution prints the motion, the name is
 //! replaced by the value there; else it is a quantity of the student's own.
@@ -11,6 +12,17 @@ use crate::source::Span;
 use super::Written;
 use crate::check::mark::names::{Names, Role};
 
+/// What kind of value it is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::check::mark) enum Kind {
+    /// The value at an instant.
+    At,
+    /// The value of a function of another letter.
+    Of(String),
+    /// The integral from 0 to the time.
+    Whole,
+}
+
 /// A value at an instant, as the student writes it.
 #[derive(Clone, Debug)]
 pub(in crate::check::mark) struct Instant {
@@ -20,6 +32,18 @@ pub(in crate::check::mark) struct Instant {
     pub of: String,
     /// When.
     pub when: String,
+    /// What kind of value it is.
+    pub kind: Kind,
+}
+
+/// The name of a value, which is added to those that are known if it is a new one.
+pub(super) fn name_of(values: &mut Vec<Instant>, value: Instant) -> String {
+    let is_it = |known: &&Instant| (&known.of, &known.when, &known.kind) == (&value.of, &value.when, &value.kind);
+    values.iter().find(is_it).map(|known| known.name.clone()).unwrap_or_else(|| {
+        let name = format!("\\mathcal{{I}}_{{{}}}", values.len() + 1);
+        values.push(Instant { name: name.clone(), ..value });
+        name
+    })
 }
 
 /// The values at instants in the lines of a hand-in, which are replaced by names there.
@@ -27,18 +51,23 @@ pub(in crate::check::mark) fn named(lines: &mut [Written], known: &Names) -> Vec
     let mut found: Vec<Instant> = Vec::new();
     let functions: Vec<String> = lines.iter().flat_map(|line| functions(&line.text)).collect();
     for line in lines {
+        for (span, of) in integrals(&line.text, known) {
+            let name =
+                name_of(&mut found, Instant { name: String::new(), of, when: "t".to_owned(), kind: Kind::Whole });
+            line.edits.push((span, format!("{{{name}}}")));
+        }
+        let is_inside = |span: &Span, edits: &[(Span, String)]| edits.iter().any(|(whole, _)| whole.contains(*span));
         for (span, of, when) in values(&line.text) {
+            if is_inside(&span, &line.edits) {
+                continue;
+            }
             let name = names::parse(of).map(|(name, _)| name);
             let is_constant = |name: &Name| known.names.iter().any(|(k, role, _)| k == name && *role == Role::Constant);
             if name.as_ref().is_some_and(is_constant) || functions.iter().any(|function| function == of) {
                 continue;
             }
-            let is_it = |known: &&Instant| known.of == of && known.when == when;
-            let name = found.iter().find(is_it).map(|known| known.name.clone()).unwrap_or_else(|| {
-                let name = format!("\\mathcal{{I}}_{{{}}}", found.len() + 1);
-                found.push(Instant { name: name.clone(), of: of.to_owned(), when: when.to_owned() });
-                name
-            });
+            let value = Instant { name: String::new(), of: of.to_owned(), when: when.to_owned(), kind: Kind::At };
+            let name = name_of(&mut found, value);
             line.edits.push((span, format!("{{{name}}}")));
         }
     }
@@ -99,6 +128,64 @@ fn values(text: &str) -> Vec<(Span, &str, &str)> {
     found
 }
 
+/// The integrals of what moves from 0 to the time in a text, each with its integrand as a function of the time. The letter of
+/// the integral stands after what moves, `I(t')`, or is left out there, `\int_0^t v\,dt`.
+fn integrals(text: &str, known: &Names) -> Vec<(Span, String)> {
+    let mut found = Vec::new();
+    for sign in ["\\int_0^t", "\\int_{0}^{t}", "\\int_0^{t}", "\\int\\limits_0^t", "\\int\\limits_{0}^{t}"] {
+        for (start, _) in text.match_indices(sign) {
+            let from = start + sign.len();
+            if let Some((end, integrand)) = integrand(text, from, known) {
+                found.push((Span::new(start, end), integrand));
+            }
+        }
+    }
+    found
+}
+
+fn integrand(text: &str, from: usize, known: &Names) -> Option<(usize, String)> {
+    let moves = |name: &str| {
+        let name = names::parse(name).map(|(name, _)| name);
+        name.is_some_and(|name| {
+            known.symbols.find(&name).is_none()
+                || known
+                    .names
+                    .iter()
+                    .any(|(own, role, _)| *own == name && *role != Role::Constant && !known.fixed.contains(&name))
+        })
+    };
+    let signs = ["\\mathrm{d}", "\\mathrm d", "\\text{d}", "d"];
+    let ends = text[from..].char_indices().map(|(at, _)| from + at).find_map(|at| {
+        let sign = signs.iter().find(|sign| text[at..].starts_with(**sign))?;
+        let is_command = text[..at].trim_end_matches(|c: char| c.is_ascii_alphabetic()).ends_with('\\');
+        let letter = at + sign.len() + text[at + sign.len()..].len() - text[at + sign.len()..].trim_start().len();
+        let end = foreign::quantity(text, letter)?;
+        (!is_command).then(|| (at, letter, end))
+    })?;
+    let (body, letter) = (text.get(from..ends.0)?, &text[ends.1..ends.2]);
+    let mut gaps = ["\\,", "\\;", "\\:", "\\ "].iter();
+    let body = body.trim();
+    let body = gaps.find_map(|gap| body.strip_suffix(gap)).unwrap_or(body).trim();
+    let argument = format!("({letter})");
+    let applied: Vec<&str> = body.match_indices(&argument).map(|(at, _)| body[..at].trim_end()).collect();
+    let name_before = |before: &&str| {
+        let starts = before.char_indices().map(|(at, _)| at).rev().take(20);
+        let start = starts.filter(|at| foreign::quantity(before, *at) == Some(before.len())).last();
+        start.is_some_and(|start| moves(&before[start..]))
+    };
+    let is_applied = !applied.is_empty() && applied.iter().all(name_before);
+    let is_sloppy = applied.is_empty()
+        && body.char_indices().any(|(at, _)| {
+            foreign::quantity(body, at).is_some_and(|end| {
+                let name = names::parse(&body[at..end]).map(|(name, _)| name);
+                name.is_some_and(|name| known.symbols.find(&name).is_some()) && moves(&body[at..end])
+            })
+        });
+    let plain = body.replace(&argument, "");
+    let is_plain = letter == "t" || !plain.contains(letter);
+    ((is_applied || is_sloppy) && is_plain && !plain.contains("\\int")).then_some((ends.2, plain))
+}
+
 /// The instant in a parenthesis: 0, a time with a subscript, or what is said to be the time.
 fn instant(inside: &str) -> Option<&str> {
     let inside = inside.trim();
@@ -106,7 +193,16 @@ fn instant(inside: &str) -> Option<&str> {
         return Some(value.trim()).filter(|value| !value.is_empty());
     }
     let is_time = inside.strip_prefix("t_").is_some_and(|sub| !sub.is_empty() && !sub.contains(['+', '-', ',']));
-    (inside == "0" || is_time).then_some(inside)
+    (inside == "0" || is_time || is_multiple_of_a_period(inside)).then_some(inside)
+}
+
+/// Whether a text is a period or a time constant, or a multiple of one: `T`, `T/4`, `2\tau`.
+fn is_multiple_of_a_period(text: &str) -> bool {
+    let is_number = |c: char| c.is_ascii_digit() || c.is_whitespace() || "/{}.".contains(c);
+    let plain = text.replace("\\frac", " ").replace("\\pi", " ");
+    let (start, end) = (plain.trim_start_matches(is_number), plain.trim_end_matches(is_number));
+    let letter = plain.get(plain.len() - start.len()..end.len()).unwrap_or_default();
+    letter == "T" || letter == "\\tau"
 }
 
 /// The names in a text that have another letter than the time in parentheses after them: functions of a place.
@@ -128,7 +224,29 @@ fn functions(text: &str) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{functions, values};
+    use super::{functions, integrals, values};
+    use crate::check::mark::names::Names;
+    use crate::formula::Symbols;
+
+    #[test]
+    fn a_period_is_an_instant() {
+        assert_eq!(found(r"x(T/4) = v(2\tau) + q\left(\frac{T}{2}\right)"), [("x", "T/4"), ("v", r"2\tau")]);
+        for text in ["m(T - a)", "x(S)", "x(2)", "x(T_1 x)"] {
+            assert_eq!(found(text), [], "{text}");
+        }
+    }
+
+    #[test]
+    fn an_integral_up_to_the_time_is_a_value() {
+        let none = Names { symbols: Symbols::open(), names: Vec::new(), fixed: Vec::new() };
+        let found = |text: &str| integrals(text, &none).into_iter().map(|(_, of)| of).collect::<Vec<_>>();
+        assert_eq!(found(r"q(t) = \int_0^t I(t') \, dt'"), ["I"]);
+        assert_eq!(found(r"x = \int_{0}^{t} 2 v(\tau) \mathrm{d}\tau + a"), ["2 v"]);
+        // The twins: a letter that stands alone, other ends, no function.
+        for text in [r"\int_0^t \tau v(\tau) d\tau", r"\int_0^{t_1} I(t') dt'", r"\int_0^t a \, ds"] {
+            assert!(found(text).is_empty(), "{text}");
+        }
+    }
 
     fn found(text: &str) -> Vec<(&str, &str)> {
         values(text).into_iter().map(|(_, of, when)| (of, when)).collect()

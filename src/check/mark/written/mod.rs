@@ -1,5 +1,6 @@
 //! The lines of a hand-in: the statements of its displays, the rows of its chains, and the equations in its text.
 
+pub(super) mod functions;
 pub(super) mod instants;
 pub(super) mod single_letters;
 
@@ -32,6 +33,8 @@ pub(super) struct Written {
     pub is_supposed: bool,
     /// Whether a word such as "if", close before it, makes it a special case.
     pub is_if: bool,
+    /// Whether the words before it say that values for an example come.
+    pub is_example: bool,
     /// Whether "or" stands between it and the line before it.
     pub is_alternative: bool,
     /// Whether the text before it says that something is small.
@@ -59,8 +62,25 @@ const SUPPOSED: [&str; 14] = [
 ];
 
 /// Words that say that quantities are small, in some languages.
-const SMALL: [&str; 12] =
-    ["small", "klein", "petit", "peque", "piccol", "mały", "małe", "ma\\l", "linear", "linéar", "first order", "\\ll"];
+const SMALL: [&str; 17] = [
+    "small",
+    "klein",
+    "petit",
+    "peque",
+    "piccol",
+    "mały",
+    "małe",
+    "ma\\l",
+    "linear",
+    "linéar",
+    "first order",
+    "erster ordnung",
+    "ersten ordnung",
+    "premier ordre",
+    "primer orden",
+    "primo ordine",
+    "\\ll",
+];
 
 /// All lines of a hand-in, in their order.
 pub(super) fn written(notes: &Notes, macros: &Macros) -> Vec<Written> {
@@ -110,6 +130,7 @@ pub(super) fn written(notes: &Notes, macros: &Macros) -> Vec<Written> {
                 inline: display.is_none(),
                 is_supposed: is_supposed(text, display.map_or(body.start, |display| display.span.start)),
                 is_if: is_if(text, display.map_or(body.start, |display| display.span.start)),
+                is_example: is_example(text, display.map_or(body.start, |display| display.span.start)),
                 is_alternative: found.last().is_some_and(|before: &Written| {
                     text.get(before.span.end..span.start).is_some_and(foreign::says_or)
                 }),
@@ -122,10 +143,34 @@ pub(super) fn written(notes: &Notes, macros: &Macros) -> Vec<Written> {
 }
 
 /// Words for "if", in some languages.
-const IF: [&str; 24] = [
+const IF: [&str; 29] = [
     "if", "when", "whenever", "case", "wenn", "falls", "fall", "gdy", "jeśli", "jeżeli", "si", "cuando", "caso",
-    "lorsque", "quand", "cas", "se", "quando", "hvis", "om", "når", "als", "unless", "provided",
+    "lorsque", "quand", "cas", "se", "quando", "hvis", "om", "når", "als", "unless", "provided", "such", "tel",
+    "telle", "tels", "telles",
 ];
+
+/// Words for an example with numbers, in some languages.
+const EXAMPLE: [&str; 12] = [
+    "example",
+    "numerical",
+    "numerically",
+    "beispiel",
+    "zahlenbeispiel",
+    "zahlenwerte",
+    "exemple",
+    "numérique",
+    "ejemplo",
+    "numérico",
+    "esempio",
+    "przykład",
+];
+
+/// Whether the words directly before a place say that values for an example come.
+fn is_example(text: &str, at: usize) -> bool {
+    let before = text.get(..at).unwrap_or_default().trim_end().trim_end_matches([':', '$']);
+    let clause = before.rsplit(['.', ';', ':', '=', '$']).next().unwrap_or_default().to_lowercase();
+    clause.split(|c: char| !c.is_alphabetic()).any(|word| EXAMPLE.contains(&word))
+}
 
 /// The number of words before a formula among which "if" is sought.
 const CLOSE: usize = 4;

@@ -1,5 +1,5 @@
 //! Letters that have another meaning in a line of a hand-in than everywhere else: t for an instant in a line about constants,
-//! `v = a t`, and e for a charge.
+//! `v = a t`, e for a charge, and d for a length.
 
 use crate::formula::symbols::Name;
 use crate::latex::foreign;
@@ -17,6 +17,9 @@ const INSTANT: &str = "t_{\\star}";
 
 /// The name that stands for e where it is no base of a power.
 const CHARGE: &str = "e_{\\star}";
+
+/// The name that stands for d where it is no differential.
+const LENGTH: &str = "d_{\\star}";
 
 /// Gives t another name in lines that say something of constants of the problem alone: there it is no running time. A value
 /// of t alone is a condition, and keeps its letter.
@@ -37,19 +40,93 @@ pub(in crate::check::mark) fn instants(lines: &mut [Written], known: &Names, mac
     }
 }
 
-/// Gives e another name in a hand-in that has no power of it, as a charge: with a power it is Euler's number.
+/// Gives e another name, as a charge, in a hand-in where it is no base of an exponential. Beside an e that is a factor, `e^2`
+/// is the square of the charge. Elsewhere an e that stands alone is Euler's number.
 pub(in crate::check::mark) fn charges(lines: &mut [Written], known: &Names) {
-    let is_power = |line: &Written| {
-        single(&line.text, "e").iter().any(|span| line.text[span.end..].trim_start().starts_with(['^', '(']))
-    };
     let is_known = names::parse("e").is_some_and(|(name, _)| known.symbols.find(&name).is_some());
-    if is_known || lines.iter().any(is_power) {
+    let after = |line: &Written, span: Span| line.text[span.end..].trim_start().to_owned();
+    let all: Vec<String> =
+        lines.iter().flat_map(|line| single(&line.text, "e").into_iter().map(move |span| after(line, span))).collect();
+    let is_factor = |rest: &String| !rest.starts_with(['^', '(']);
+    let is_exponential = |rest: &String| match rest.strip_prefix('^') {
+        Some(power) => !is_figure(power) || !all.iter().any(is_factor),
+        None => rest.starts_with('('),
+    };
+    if is_known {
+        return;
+    }
+    // Beside an exponential, an e that stands alone is Euler's number: `v(\\tau) = v_0/e = v_0 e^{-1}`.
+    let is_euler = all.iter().any(is_exponential);
+    for line in lines {
+        let places = single(&line.text, "e");
+        if !is_euler {
+            rename(line, places, CHARGE);
+            continue;
+        }
+        let (alone, others): (Vec<Span>, Vec<Span>) =
+            places.into_iter().partition(|span| is_factor(&after(line, *span)));
+        rename(line, alone, "\\exp(1)");
+        let powers: Vec<_> = others.into_iter().filter_map(|span| whole_power(&line.text, span)).collect();
+        for (span, power) in powers {
+            rename(line, vec![span], &format!("\\exp({power})"));
+        }
+    }
+}
+
+/// The place of an e with a whole number in braces as its power, and the number: `e^{-2}`.
+fn whole_power(text: &str, e: Span) -> Option<(Span, String)> {
+    let rest = text[e.end..].strip_prefix("^{")?;
+    let (power, _) = rest.split_once('}')?;
+    let digits = power.trim().trim_start_matches('-').trim();
+    let is_whole = !digits.is_empty() && digits.chars().all(|c| c.is_ascii_digit());
+    is_whole.then(|| (Span::new(e.start, e.end + "^{}".len() + power.len()), power.trim().to_owned()))
+}
+
+/// Whether a power begins a text that is a positive whole number: `2`, `{4}`.
+fn is_figure(power: &str) -> bool {
+    let power = power.trim_start();
+    match power.strip_prefix('{') {
+        Some(inside) => inside
+            .split_once('}')
+            .is_some_and(|(power, _)| !power.trim().is_empty() && power.trim().chars().all(|c| c.is_ascii_digit())),
+        None => power.starts_with(|c: char| c.is_ascii_digit()),
+    }
+}
+
+/// Gives d another name, as a length, in a hand-in where it is nowhere a differential: d before the time, before what moves,
+/// before what the problem does not have, or on each side directly before a letter.
+pub(in crate::check::mark) fn lengths(lines: &mut [Written], known: &Names) {
+    let is_known = names::parse("d").is_some_and(|(name, _)| known.symbols.find(&name).is_some());
+    let is_fixed = |text: &str| names::parse(text).is_some_and(|(name, _)| known.fixed.contains(&name));
+    let is_differential = |text: &str, span: &Span| {
+        let rest = text[span.end..].trim_start();
+        foreign::quantity(rest, 0).is_some_and(|end| !is_fixed(&rest[..end]))
+    };
+    // `dW = F\,dx`: on each side a d stands directly before a letter.
+    let is_separated = |line: &Written| {
+        let before_letter =
+            |side: &str| single(side, "d").iter().any(|span| foreign::quantity(side, span.end).is_some());
+        line.text.contains('=') && line.text.split('=').all(before_letter)
+    };
+    let is_any = |line: &Written| {
+        let places = single(&line.text, "d");
+        !places.is_empty() && line.text.contains("\\int")
+            || is_separated(line)
+            || places.iter().any(|span| is_differential(&line.text, span))
+    };
+    if is_known || lines.iter().any(is_any) {
         return;
     }
     for line in lines {
-        let places = single(&line.text, "e");
-        line.edits.extend(places.into_iter().map(|span| (span, format!("{{{CHARGE}}}"))));
+        let places = single(&line.text, "d");
+        rename(line, places, LENGTH);
     }
+}
+
+/// Puts a name in the place of a letter, where no edit has taken it along.
+fn rename(line: &mut Written, mut places: Vec<Span>, name: &str) {
+    places.retain(|span| line.edits.iter().all(|(taken, _)| !taken.contains(*span)));
+    line.edits.extend(places.into_iter().map(|span| (span, format!("{{{name}}}"))));
 }
 
 /// Whether a name stands for t where it is an instant.
@@ -59,7 +136,9 @@ pub(in crate::check::mark) fn is_instant(name: &Name) -> bool {
 
 /// A text with the letters that the student wrote.
 pub(in crate::check::mark) fn as_written(text: &str) -> String {
-    text.replace(INSTANT, "t").replace(CHARGE, "e").replace("t_\\star", "t").replace("e_\\star", "e")
+    [(INSTANT, "t"), (CHARGE, "e"), (LENGTH, "d"), ("t_\\star", "t"), ("e_\\star", "e"), ("d_\\star", "d")]
+        .iter()
+        .fold(text.to_owned(), |text, (name, letter)| text.replace(name, letter))
 }
 
 /// Where a letter stands alone, without dots, subscript or primes.
@@ -105,7 +184,13 @@ fn as_display(line: &Written) -> Display {
 
 #[cfg(test)]
 mod tests {
-    use super::single;
+    use super::{is_figure, single};
+
+    #[test]
+    fn a_figure_is_a_positive_whole_number() {
+        assert!(is_figure("2 V") && is_figure("{4} x"));
+        assert!(!is_figure("{-2}") && !is_figure("x") && !is_figure("{2x}") && !is_figure("{}"));
+    }
 
     #[test]
     fn a_letter_stands_alone_without_subscript_and_outside_of_words() {

@@ -1,0 +1,94 @@
+//! Small motion about a place of rest that has a name: `\ddot\varepsilon = -\omega^2\sin^2\theta_0\,\varepsilon`, where ε is
+//! the small deviation θ − θ_0. A line may say what ε is, or only the words beside it.
+
+use crate::formula::derivative::{Scope, rate};
+use crate::formula::{Expr, Node, SymbolId};
+use crate::latex::Reading;
+use crate::notes::claims::{Claim, Spanned};
+use crate::source::Span;
+
+use crate::check::document::checker::Checker;
+use crate::check::model::meaning::Meaning;
+
+use super::given;
+use super::special::Special;
+use super::status::{Status, approximate, status};
+use super::world::World;
+
+/// Whether a line says in linear terms what holds to first order about a place of rest.
+pub(super) fn holds(checker: &Checker<'_>, world: &World<'_>, display: usize, reading: &Reading) -> bool {
+    let special = &world.problem.special;
+    if special.places().is_empty() {
+        return false;
+    }
+    let own: Vec<SymbolId> =
+        world.declared.iter().filter_map(|name| Some(checker.model.symbols.find(name)?.0)).collect();
+    let of_problem = world.problem.notes.equations.len();
+    let said = |text: String| Spanned::new(text, Span::default());
+    let small = special.places().iter().map(|(of, place)| said(format!("{of} - {place}")));
+    let rates = special.places().iter().map(|(of, _)| said(format!("\\dot{{{of}}}")));
+    let claim = Claim {
+        assume: special.conditions_of_rest().iter().cloned().map(said).collect(),
+        small: small.chain(rates).collect(),
+        order: Some(Spanned::new(1, Span::default())),
+        ..Claim::default()
+    };
+    about_places(checker, special, (of_problem, &own), reading).iter().any(|reading| {
+        special.is_linear(checker, reading)
+            && matches!(status(checker, display, &approximate(reading), &claim), Status::Holds(_))
+    })
+}
+
+/// What a line with an acceleration says of the coordinates: with definitions of the student's own written out, and with θ − θ_0
+/// for a name in `own` that moves and of which no line says what it is. `before` is the number of displays that are the
+/// problem's.
+pub(super) fn about_places(
+    checker: &Checker<'_>,
+    special: &Special,
+    (before, own): (usize, &[SymbolId]),
+    reading: &Reading,
+) -> Vec<Reading> {
+    let find = |name| Some(checker.model.symbols.find(name)?.0);
+    let written_out = |reading: &Reading| {
+        let mut reading = reading.clone();
+        for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+            *member = given::expanded(checker, before, member.clone());
+            with_rates(checker, member);
+        }
+        reading
+    };
+    let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+    let is_unknown =
+        |(id, _): &(SymbolId, u8)| own.contains(id) && matches!(checker.model.meaning(*id), Some(Meaning::Varying(_)));
+    let Some((unknown, _)) = members().flat_map(Expr::symbols).find(is_unknown) else {
+        return vec![written_out(reading)];
+    };
+    let places = special.places().iter().filter_map(|(of, place)| Some((find(of)?, find(place)?)));
+    let deviation = |(of, place): (SymbolId, SymbolId)| {
+        let symbol = |id| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
+        let value = symbol(of).minus(symbol(place));
+        let mut reading = reading.clone();
+        for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+            member.substitute(&|node| match node {
+                Node::Symbol { id, dots: 0, .. } if *id == unknown => Some(value.clone()),
+                Node::Symbol { id, dots, .. } if *id == unknown => {
+                    Some(Expr::new(Node::TimeDerivative(*dots, Box::new(value.clone())), value.span))
+                }
+                _ => None,
+            });
+        }
+        written_out(&reading)
+    };
+    places.map(deviation).collect()
+}
+
+/// Takes the rates in a formula, as far as they are known: the second one of θ − θ_0 is that of θ.
+fn with_rates(checker: &Checker<'_>, formula: &mut Expr) {
+    formula.children_mut().into_iter().for_each(|child| with_rates(checker, child));
+    let Node::TimeDerivative(order, inner) = &formula.node else { return };
+    let scope = Scope { symbols: &checker.model.symbols, fixed: &[] };
+    let taken = (0..*order).try_fold((**inner).clone(), |of, _| rate(&of, scope, formula.span));
+    if let Ok(taken) = taken {
+        *formula = taken;
+    }
+}
