@@ -80,7 +80,7 @@ codes! {
     /// without a claims file only.
     DimensionsConflict = "dimensions-conflict",
     /// A definition, or a relation that was taken for granted, is contradicted by several displays that use it, and one edit of it
-    /// repairs them, in notes without a claims file.
+    /// repairs them: in notes without a claims file, and of the Lagrangian that notes print.
     ///
     /// For example, `t_1 = \frac{v}{7 a}` before `v_1 = v - a t_1 = \frac57 v` and another display that needs twice that time.
     /// Correct it.

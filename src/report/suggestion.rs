@@ -21,9 +21,11 @@ pub(super) fn all(document: &Document, item: &Equation, style: Style) -> Vec<Str
         findings.push(&item.finding);
     }
     let fits = findings.iter().filter_map(|finding| finding.fit.as_ref()).map(|fit| self::fit(fit, source, style));
+    // Where only this display is called wrong, the edit is shown for it.
+    let is_blamed = |shared: &Shared| shared.of == item.id && !shared.mends.contains(&item.id);
     let repairs = item.repairs.iter().enumerate().map(|(at, repair)| match &repair.shared {
         // An edit that corrects several equations is shown once.
-        Some(shared) if shared.mends.first() != Some(&item.id) => corrected_too(shared, style),
+        Some(shared) if shared.mends.first() != Some(&item.id) && !is_blamed(shared) => corrected_too(shared, style),
         _ => self::repair(repair, at == 0, source, style),
     });
     let elsewhere = (!item.elsewhere.is_empty()).then(|| self::elsewhere(&item.id, &item.elsewhere, style));

@@ -332,3 +332,24 @@ fn what_one_part_of_a_display_leaves_open_is_said_of_the_display() {
     let alone = line(r"s = a + b , \quad p = ab");
     assert!(alone.contains("except for its sign") && !alone.contains(says), "{alone}");
 }
+
+#[test]
+fn a_name_for_a_moving_combination_is_tested_by_a_linear_equation_except_for_its_factor() {
+    let claims = json!({
+        "coordinates": { "x": "any" }, "constants": { r"m, k, \gamma": "> 0" }, "means": { "L": "Lagrangian" },
+    });
+    let lagrangian = r"L = e^{\gamma t}\left(\frac12 m\dot x^2 - \frac12 k x^2\right)";
+    let of = |definition: &str| {
+        let linear = r"\ddot q + \left(\frac km - \frac{\gamma^2}{4}\right) q = 0";
+        document(&claims, &numbered(&[lagrangian, definition, linear]), &Default::default(), None).unwrap()
+    };
+    let found = of(r"q = x\, e^{\gamma t/2}");
+    assert!(found.equations.iter().all(|equation| equation.ok), "{:?}", found.equations[1].finding);
+    assert!(found.equations[1].finding.message.contains("its factor"), "{:?}", found.equations[1].finding);
+    // The twins: a slip in it, and a name of one thing that moves, of which the factor is all.
+    assert_eq!(of(r"q = x\, e^{\gamma t}").equations[2].finding.verdict, Refuted);
+    let harmonic = r"L = \frac12 m\dot x^2 - \frac12 k x^2";
+    let notes = numbered(&[harmonic, r"q = \gamma x", r"m\ddot q + k q = 0"]);
+    let found = document(&claims, &notes, &Default::default(), None).unwrap();
+    assert_eq!(found.equations[1].finding.verdict, Undecided);
+}

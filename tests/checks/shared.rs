@@ -1,6 +1,7 @@
 //! One slip in what several equations stand on, and the edit of it that mends them all.
 
-use onshell::check::{Document, Equation};
+use onshell::Code;
+use onshell::check::{Document, Equation, Verdict};
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
@@ -308,4 +309,50 @@ fn a_display_that_applies_a_function_of_the_lagrangian_is_read_again_with_each_e
     let printed = displays(2, r"\frac{k^3}{45 a^2}");
     let found = checked(&claims, &printed.each_ref().map(String::as_str));
     assert_ne!(shared(&found)[0], Some(("1", vec!["3", "4", "6"])));
+}
+
+#[test]
+fn the_lagrangian_is_called_wrong_where_many_displays_contradict_it() {
+    let lagrangian = |sign: &str| format!(r"L = \frac12 m \dot x^2 {sign} \frac14 k x^4");
+    let right = [
+        r"\frac{\partial L}{\partial x} = -k x^3",
+        r"m \ddot x = -k x^3",
+        r"E = \frac12 m \dot x^2 + \frac14 k x^4 = \text{const}",
+        r"m x \ddot x = -k x^4",
+    ];
+    let claims = json!({
+        "coordinates": { "x": "any" }, "constants": { "m, k": "> 0" }, "means": { "L": "Lagrangian" },
+    });
+    let of = |sign: &str, others: &[&str]| {
+        let lagrangian = lagrangian(sign);
+        checked(&claims, &[&[lagrangian.as_str()], others].concat())
+    };
+    assert!(of("-", &right).equations.iter().all(|equation| equation.ok));
+    let found = of("+", &right);
+    let first = &found.equations[0];
+    assert_eq!(first.finding.code, Code::DefinitionContradicted);
+    assert_eq!((first.finding.verdict, first.repairs[0].replacement.as_str()), (Verdict::Refuted, "-"));
+    for other in &found.equations[1..] {
+        assert_eq!(other.finding.verdict, Verdict::Undecided, "{other:?}");
+        assert_eq!(other.finding.follows_from.as_ref().map(|known| known.root.as_str()), Some("1"));
+    }
+    // The twin: a few displays may be wrong by themselves.
+    let found = of("+", &right[..3]);
+    assert_eq!(found.equations[1].finding.verdict, Verdict::Refuted);
+    assert!(found.equations[0].ok);
+}
+
+#[test]
+fn a_display_that_is_false_itself_is_called_wrong_in_the_place_of_what_uses_it() {
+    let claims = json!({ "constants": { "a, b": "> 0" } });
+    let displays = |sign: &str| [format!("p = a {sign} b = b + a"), "p^2 = a^2 + 2ab + b^2".to_owned()];
+    let of = |sign: &str| checked(&claims, &displays(sign).each_ref().map(String::as_str));
+    assert!(of("+").equations.iter().all(|equation| equation.ok));
+    let found = of("-");
+    let verdicts: Vec<Verdict> = found.equations.iter().map(|equation| equation.finding.verdict).collect();
+    assert_eq!(verdicts, [Verdict::Refuted, Verdict::Undecided]);
+    assert_eq!(mended(&found), numbered(&displays("+").each_ref().map(String::as_str)));
+    // The twin: what no edit of it mends is wrong by itself.
+    let found = checked(&claims, &["p = a - b = b + a", "p^2 = a^2 + 3ab + b^2"]);
+    assert_eq!(found.equations[1].finding.verdict, Verdict::Refuted);
 }

@@ -209,3 +209,121 @@ fn a_linearised_equation_may_be_printed_as_an_equality_where_the_words_say_so() 
     assert_eq!(said("For small oscillations", r"\ddot\theta = -\frac{g}{2l}\theta", json!({})), Refuted);
     assert_eq!(said("For small oscillations", r"\ddot\theta = \frac gl\theta", json!({})), Refuted);
 }
+
+/// A cylinder that rolls in a hollow one, with the multiplier of the condition of rolling.
+fn rolling() -> Json {
+    json!({
+        "coordinates": { r"\theta, \phi": "angle", r"\lambda": "multiplier" },
+        "constants": { "m, g, a": "> 0", "R": "> a" },
+        "means": { "L": "Lagrangian" },
+        "constraints": { r"\lambda": r"(R - a)\dot\theta - a\dot\phi" },
+    })
+}
+
+const ROLLING: &str = r"L = \frac12 m(R - a)^2\dot\theta^2 + \frac14 m a^2\dot\phi^2 + m g(R - a)\cos\theta";
+
+#[test]
+fn a_small_motion_with_a_multiplier_is_that_of_the_free_coordinates() {
+    let small = || json!({ "assume": r"small oscillations about \theta = 0" });
+    let linear = |square: &str| format!(r"\ddot\theta + \omega^2\theta = 0, \qquad \omega = \sqrt{{{square}}}");
+    let of = |square: &str| equation(&rolling(), &[ROLLING, &linear(square)], small());
+    let found = of(r"\frac{2g}{3(R - a)}");
+    assert_eq!(found.finding.verdict, Verified, "{:?}", found.parts);
+    // The twins: as if nothing rolled, and without the words.
+    let slip = of(r"\frac{g}{R - a}");
+    assert_eq!(slip.finding.verdict, Refuted);
+    let exact = equation(&rolling(), &[ROLLING, &linear(r"\frac{2g}{3(R - a)}")], json!({}));
+    assert_eq!(exact.finding.verdict, Refuted);
+    // The constraint in the Lagrangian itself: one of two coordinates is free.
+    let claims = json!({
+        "coordinates": { "x": "any", "y": "< 0", r"\lambda": "multiplier" },
+        "constants": { "m, g, l": "> 0" },
+        "means": { "L": "Lagrangian" },
+    });
+    let rod = r"L = \frac12 m(\dot x^2 + \dot y^2) - m g y + \lambda(x^2 + y^2 - l^2)";
+    let about = || json!({ "assume": "small oscillations about x = 0" });
+    assert_eq!(verdict(&claims, &[rod, r"\ddot x = -\frac gl x"], about()), Verified);
+    assert_eq!(verdict(&claims, &[rod, r"\ddot x = -\frac{2g}{l} x"], about()), Refuted);
+}
+
+#[test]
+fn a_linearised_equation_is_corrected_as_one() {
+    let claims = json!({
+        "coordinates": { r"\theta": "angle" }, "constants": { "m, l, g": "> 0" }, "means": { "L": "Lagrangian" },
+    });
+    let lagrangian = r"L = \frac12 m l^2\dot\theta^2 + m g l\cos\theta";
+    let small = json!({ "assume": r"small oscillations about \theta = 0" });
+    let found = equation(&claims, &[lagrangian, r"l\dot\theta = -g\theta"], small.clone());
+    let first = found.repairs.first().map(|repair| repair.replacement.as_str());
+    assert_eq!((found.finding.verdict, first), (Refuted, Some(r"\ddot{\theta}")));
+    let found = equation(&claims, &[lagrangian, r"l\ddot\theta = g\theta"], small);
+    assert_eq!(found.repairs.first().map(|repair| repair.replacement.trim()), Some("-"));
+}
+
+/// A particle on a line.
+fn on_a_line() -> Json {
+    json!({
+        "coordinates": { "x": "any" },
+        "constants": { r"m, \omega_0, \beta": "> 0", r"\alpha": "any" },
+        "means": { "L": "Lagrangian" },
+    })
+}
+
+#[test]
+fn both_roots_of_an_equation_are_places_of_rest() {
+    let lagrangian = r"L = \frac12 m\dot x^2 - \frac12 m\omega_0^2 x^2 - \frac13 m\alpha x^3 - \frac14 m\beta x^4";
+    let at = |root: &str| {
+        let claim = json!({ "equilibrium": true, "assume": r"\alpha^2 > 4\beta\omega_0^2" });
+        verdict(&on_a_line(), &[lagrangian, root], claim)
+    };
+    assert_eq!(at(r"x = \frac{-\alpha \pm \sqrt{\alpha^2 - 4\beta\omega_0^2}}{2\beta}"), Verified);
+    assert_eq!(at(r"x = \frac{\alpha \pm \sqrt{\alpha^2 - 4\beta\omega_0^2}}{2\beta}"), Refuted);
+}
+
+#[test]
+fn a_coordinate_beside_two_places_belongs_to_both() {
+    let claims = json!({ "coordinates": { "x, y": "any" }, "means": { "L": "Lagrangian" } });
+    let lagrangian = r"L = \frac12(\dot x^2 + \dot y^2) - \frac12(x^2 + y^2) - x^2 y + \frac13 y^3";
+    let at = |places: &str| verdict(&claims, &[lagrangian, places], json!({ "equilibrium": "unstable" }));
+    assert_eq!(at(r"x = \pm\frac{\sqrt 3}{2}, \qquad y = -\frac12"), Verified);
+    assert_eq!(at(r"x = \pm\frac{\sqrt 3}{2}, \qquad y = \frac12"), Refuted);
+    // The signs go together.
+    let claims =
+        json!({ "coordinates": { "x, y": "any" }, "constants": { "a": "> 0" }, "means": { "L": "Lagrangian" } });
+    let valley = r"L = \frac12(\dot x^2 + \dot y^2) - (x^2 - a^2)^2 - (y - x)^2";
+    let at = |places: &str| verdict(&claims, &[valley, places], json!({ "equilibrium": true }));
+    assert_eq!(at(r"x = \pm a, \qquad y = \pm a"), Verified);
+    assert_eq!(at(r"x = \pm a, \qquad y = \mp a"), Refuted);
+}
+
+#[test]
+fn a_derivative_of_a_printed_function_says_more_than_the_place() {
+    let mut claims = hoop();
+    claims["means"] = json!({ "L": "Lagrangian" });
+    let potential = r"U(\theta) = -\frac12 m R^2\omega^2\sin^2\theta - m g R\cos\theta";
+    let second = |right: &str| {
+        let displays = [HOOP, potential, r"\cos\theta_0 = \frac{g}{R\omega^2}", right];
+        verdict(&claims, &displays, json!({ "assume": "3" }))
+    };
+    assert_eq!(second(r"U''(\theta_0) = m R^2\omega^2\sin^2\theta_0"), Verified);
+    assert_eq!(second(r"U''(\theta_0) = m R^2\omega^2\cos^2\theta_0"), Refuted);
+    // The twin: the place in other words says nothing.
+    assert_eq!(second(r"R\omega^2\cos\theta_0 = g"), Undecided);
+}
+
+#[test]
+fn numbers_are_drawn_where_inequalities_hold() {
+    let claims = json!({
+        "coordinates": { "r": "> a", "s": "> b" },
+        "constants": { "a, b": "> 0", "c": "> a", "d": "> b" },
+        "means": { "L": "Lagrangian" },
+    });
+    let lagrangian = r"L = \frac12(\dot r^2 + \dot s^2) - \sqrt{r^2 - a^2} - \sqrt{s^2 - b^2}";
+    let law =
+        |root: &str| verdict(&claims, &[lagrangian, &format!(r"\ddot r = -\frac{{r}}{{\sqrt{{{root}}}}}")], json!({}));
+    assert_eq!(law("r^2 - a^2"), Verified);
+    assert_eq!(law("r^2 + a^2"), Refuted);
+    // The twin: no number is above itself.
+    let none = with(&claims, "assume", json!(["c > d", "d > c"]));
+    assert_eq!(verdict(&none, &[lagrangian, r"\ddot r = -\frac{r}{\sqrt{r^2 - a^2}}"], json!({})), Undecided);
+}

@@ -1,4 +1,7 @@
-//! Statements with ≈: their finding, and what they say about the definitions of names that they use.
+//! Statements with ≈: their finding, and what they say about the definitions of names that they use; so do equations that are
+//! printed with = and hold to first order in a small motion.
+
+use std::cell::OnceCell;
 
 use crate::Result;
 use crate::code::Code;
@@ -12,8 +15,9 @@ use crate::check::hypotheses::rule::Rule;
 use crate::check::kinds::definitions::Approximations;
 use crate::check::kinds::limit;
 use crate::check::kinds::series::{self, Read};
+use crate::check::kinds::small;
 use crate::check::model::Model;
-use crate::check::model::claim::{Hypothesis, Link};
+use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
@@ -54,13 +58,17 @@ impl Checker<'_> {
     }
 }
 
-/// A statement with ≈ that uses a name.
+/// A statement with ≈, or an equation that may hold to first order, that uses a name.
 struct Approximation<'c> {
     id: String,
     link: Link,
+    /// The place of its display.
+    span: Span,
     claim: Option<&'c Claim>,
     hypotheses: Vec<Hypothesis>,
     local: Vec<Rule>,
+    /// Whether it holds with the definitions as printed, once that was asked.
+    held: OnceCell<bool>,
 }
 
 /// The statements with ≈ in which a name stands that a display defines.
@@ -76,25 +84,46 @@ impl<'d, 'a> ApproximateUses<'d, 'a> {
     /// # Errors
     /// For a claim that does not fit the notes.
     pub fn of(checker: &'d Checker<'a>, symbol: SymbolId) -> Result<Self> {
+        Self::with(checker, symbol, false)
+    }
+
+    /// The uses of `symbol` with =, in equations of a small motion.
+    ///
+    /// # Errors
+    /// For a claim that does not fit the notes.
+    pub fn linear(checker: &'d Checker<'a>, symbol: SymbolId) -> Result<Self> {
+        Self::with(checker, symbol, true)
+    }
+
+    fn with(checker: &'d Checker<'a>, symbol: SymbolId, linear: bool) -> Result<Self> {
         let mut uses = Vec::new();
         for (at, reading) in checker.readings.iter().enumerate().filter(|(at, _)| !checker.is_law(*at)) {
             let claim = checker.assigned[at];
             if claim.is_some_and(|claim| claim.expect.is_some() || !claim.errata.is_empty() || claim.skip.is_some()) {
                 continue;
             }
+            let span = checker.notes.equations[at].body;
+            let none = Claim::default();
+            let says_small = || checker.says_small(claim.unwrap_or(&none), span).is_some();
             for statement in reading.statements.iter().flatten() {
                 for (k, (relation, _)) in statement.relations.iter().enumerate() {
                     let sides = &statement.members[k..k + 2];
                     let is_use = |side: &Expr| checker.model.depends_on(side, &[symbol]);
-                    if *relation != Relation::Approximately || !sides.iter().any(is_use) {
+                    // What defines the name holds for any formula.
+                    let defines = || sides.iter().any(|side| side.as_plain_symbol() == Some(symbol));
+                    let is_meant = match linear {
+                        true => is_equality(*relation) && !defines() && says_small(),
+                        false => *relation == Relation::Approximately,
+                    };
+                    if !is_meant || !sides.iter().any(is_use) {
                         continue;
                     }
-                    let none = Claim::default();
                     let of = claim.unwrap_or(&none);
                     let (hypotheses, local) = (checker.hypotheses(of)?, checker.local(of)?);
                     let link = checker.link(&sides[0], *relation, &sides[1])?;
                     let id = format!("({})", shown(&checker.notes.equations[at]));
-                    uses.push(Approximation { id, link, claim, hypotheses, local });
+                    let held = OnceCell::new();
+                    uses.push(Approximation { id, link, span, claim, hypotheses, local, held });
                 }
             }
         }
@@ -108,21 +137,39 @@ impl<'d, 'a> ApproximateUses<'d, 'a> {
 
     fn holds(&self, of: &Approximation<'_>, model: &Model) -> Result<bool> {
         let checker = Checker { model, units: None, ..*self.checker };
-        let Approximation { id, link, claim, hypotheses, local } = of;
+        let Approximation { id, link, span, claim, hypotheses, local, .. } = of;
         let context = Context {
             model,
             options: checker.options,
             hypotheses,
             on_shell: None,
             topic: id,
-            span: Span::default(),
+            span: *span,
             spread: Spread::Declared,
             local,
         };
         let none = Claim::default();
         let claim = claim.unwrap_or(&none);
-        let found = checker.approximation(link, claim, Span::default(), (Span::default(), &context))?;
-        Ok(found.verdict.passes())
+        if link.relation == Relation::Approximately {
+            let found = checker.approximation(link, claim, Span::default(), (Span::default(), &context))?;
+            return Ok(found.verdict.passes());
+        }
+        // With another definition a few families of states suffice to refute it.
+        if !std::ptr::eq(model, self.checker.model) {
+            let Some(ways) = checker.small_motion_of(claim, *span) else { return Ok(true) };
+            let families = small::screen(model, context.mode(true, &[&link.lhs, &link.rhs]), &ways, &context)?;
+            return Ok(!small::misses_order(link, 1, &families));
+        }
+        Ok(checker.to_first_order(link, claim, &context)?.is_some_and(|found| found.verdict.passes()))
+    }
+
+    /// Whether a use holds with the definitions as printed.
+    fn held(&self, of: &Approximation<'_>) -> Result<bool> {
+        if let Some(held) = of.held.get() {
+            return Ok(*held);
+        }
+        let held = self.holds(of, self.checker.model)?;
+        Ok(*of.held.get_or_init(|| held))
     }
 }
 
@@ -130,7 +177,7 @@ impl Approximations for ApproximateUses<'_, '_> {
     fn holding(&self) -> Result<Vec<String>> {
         let mut names = Vec::new();
         for of in &self.uses {
-            if self.holds(of, self.checker.model)? && !names.contains(&of.id) {
+            if self.held(of)? && !names.contains(&of.id) {
                 names.push(of.id.clone());
             }
         }
@@ -144,7 +191,7 @@ impl Approximations for ApproximateUses<'_, '_> {
         }
         let mut model = self.checker.model.clone();
         model.define(self.symbol, mutant.clone());
-        let holds = |of: &Approximation<'_>, model: &Model| self.holds(of, model).is_ok_and(|holds| holds);
-        self.uses.iter().any(|of| holds(of, self.checker.model) && !holds(of, &model))
+        let held = |of: &Approximation<'_>| self.held(of).is_ok_and(|held| held);
+        self.uses.iter().any(|of| held(of) && !self.holds(of, &model).is_ok_and(|holds| holds))
     }
 }

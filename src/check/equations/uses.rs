@@ -15,7 +15,7 @@ use crate::check::document::printed_lagrangian;
 use crate::check::equations::approximations::ApproximateUses;
 use crate::check::equations::definition_tests::Use;
 use crate::check::kinds::definitions;
-use crate::check::kinds::definitions::User;
+use crate::check::kinds::definitions::{Approximations, User};
 use crate::check::kinds::identified;
 use crate::check::kinds::mechanics::{modes, steady};
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
@@ -51,8 +51,10 @@ impl Checker<'_> {
         }
         let (uses, restated) = self.uses(introduced)?;
         let approximations = ApproximateUses::of(self, symbol)?;
+        let linear = ApproximateUses::linear(self, symbol)?;
         let whole = self.whole_displays(introduced)?.without(&restated);
-        if uses.is_empty() && !restated.is_empty() && approximations.is_empty() && whole.is_empty() {
+        let is_only_restated = approximations.is_empty() && linear.is_empty() && whole.is_empty();
+        if uses.is_empty() && !restated.is_empty() && is_only_restated {
             let name = text::plain(&self.model.name(symbol));
             let mut by = restated.clone();
             by.dedup();
@@ -66,15 +68,17 @@ impl Checker<'_> {
         let by_law = self.uses_by_law(introduced)?;
         let mut users: Vec<User<'_>> = uses.iter().map(|used| used.by(context)).collect();
         let by_law: Vec<User<'_>> = by_law.iter().map(|used| used.by(context)).collect();
-        let found = definitions::check(
-            symbol,
-            &introduced.formula,
-            (&mut users, &by_law, &[&approximations, &whole]),
-            context,
-        )?;
-        match found.verdict == Verdict::Undecided {
-            true => Ok(self.inferred_frequency(introduced, context)?.unwrap_or(found)),
-            false => Ok(found),
+        let mut test = |others: &[&dyn Approximations]| {
+            definitions::check(symbol, &introduced.formula, (&mut users, &by_law, others), context)
+        };
+        let found = test(&[&approximations, &whole])?;
+        if found.verdict != Verdict::Undecided {
+            return Ok(found);
+        }
+        match self.inferred_frequency(introduced, context)? {
+            Some(frequency) => Ok(frequency),
+            None if linear.is_empty() => Ok(found),
+            None => test(&[&approximations, &whole, &linear]),
         }
     }
 

@@ -173,39 +173,42 @@ impl Checker<'_> {
         // Statements that make one equilibrium are judged once.
         let mut judged: Vec<(Vec<usize>, Finding)> = Vec::new();
         for (at, statement) in &statements {
-            let own = coordinates(statement);
-            let mut all = given.clone();
-            let mut together = Vec::new();
-            for (other, beside) in &statements {
-                if other == at || !coordinates(beside).iter().any(|q| own.contains(q)) {
+            let topic = format!("{topic} equilibrium {}", at + 1);
+            let mut worst: Option<Finding> = None;
+            for mut together in places_with(&statements, *at, &coordinates) {
+                let mut all = given.clone();
+                for (other, beside) in statements.iter().filter(|(other, _)| together.contains(other)) {
                     all.extend(said(*other, beside)?);
-                    together.push(*other);
+                }
+                let context = Context {
+                    model: self.model,
+                    options: self.options,
+                    hypotheses: &all,
+                    on_shell: Some(true),
+                    topic: &topic,
+                    span: statement.span.shifted(offset),
+                    spread: Spread::Declared,
+                    local: &[],
+                };
+                together.sort_unstable();
+                let known = judged.iter().find(|(known, _)| *known == together).map(|(_, finding)| finding.clone());
+                let finding = match coordinates(statement).is_empty() && claim.at.is_empty() {
+                    true => {
+                        let message = "this says nothing of a coordinate; say under \"at\" where each coordinate is";
+                        context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message)
+                    }
+                    false => match known {
+                        Some(finding) => Finding { span: context.span, ..finding },
+                        None => equilibrium::check(claimed, &context)?,
+                    },
+                };
+                judged.push((together, finding.clone()));
+                let is_worse = |known: &Finding| known.verdict.severity() < finding.verdict.severity();
+                if worst.as_ref().is_none_or(is_worse) {
+                    worst = Some(finding);
                 }
             }
-            let topic = format!("{topic} equilibrium {}", at + 1);
-            let context = Context {
-                model: self.model,
-                options: self.options,
-                hypotheses: &all,
-                on_shell: Some(true),
-                topic: &topic,
-                span: statement.span.shifted(offset),
-                spread: Spread::Declared,
-                local: &[],
-            };
-            let known = judged.iter().find(|(known, _)| *known == together).map(|(_, finding)| finding.clone());
-            let finding = match own.is_empty() && claim.at.is_empty() {
-                true => {
-                    let message = "this says nothing of a coordinate; say under \"at\" where each coordinate is";
-                    context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message)
-                }
-                false => match known {
-                    Some(finding) => Finding { span: context.span, ..finding },
-                    None => equilibrium::check(claimed, &context)?,
-                },
-            };
-            judged.push((together, finding.clone()));
-            parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
+            parts.extend(worst.map(|finding| self.part(finding, text::statement(statement, &self.model.symbols))));
         }
         Ok(parts)
     }
@@ -226,6 +229,41 @@ impl Checker<'_> {
             |id: SymbolId| unknowns.is_ok_and(|unknowns| unknowns.iter().any(|unknown| is_value(id, *unknown)));
         Ok(member.as_plain_symbol().is_some_and(is_one))
     }
+}
+
+/// The most equilibria of which one statement is a part.
+const MOST_PLACES: usize = 16;
+
+/// The sets of statements that give one place together with the `at`-th: those about other coordinates, and of ± one sign. So y = b is
+/// a part of two places beside x = ±a.
+fn places_with(
+    statements: &[(usize, &Statement)],
+    at: usize,
+    coordinates: &impl Fn(&Statement) -> Vec<SymbolId>,
+) -> Vec<Vec<usize>> {
+    let is_of_one_sign = |a: &Statement, b: &Statement| a.branch.zip(b.branch).is_none_or(|(a, b)| a == b);
+    let is_beside = |a: &Statement, b: &Statement| {
+        let own = coordinates(a);
+        is_of_one_sign(a, b) && !coordinates(b).iter().any(|q| own.contains(q))
+    };
+    let of = |place: usize| statements.iter().find(|(known, _)| *known == place).map(|(_, statement)| *statement);
+    let mut places = vec![vec![at]];
+    for (other, beside) in statements.iter().filter(|(other, _)| *other != at) {
+        if of(at).is_none_or(|own| !is_beside(own, beside)) {
+            continue;
+        }
+        for k in 0..places.len() {
+            let stands = |known: &&usize| of(**known).is_some_and(|known| is_of_one_sign(known, beside));
+            let mut kept: Vec<usize> = places[k].iter().filter(stands).copied().collect();
+            kept.push(*other);
+            if kept.len() > places[k].len() {
+                places[k] = kept;
+            } else if places.len() < MOST_PLACES && !places.contains(&kept) {
+                places.push(kept);
+            }
+        }
+    }
+    places
 }
 
 /// The sum `expr + dropped`: a side of a claim with the terms that its author dropped.

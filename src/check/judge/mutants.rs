@@ -66,15 +66,20 @@ pub fn mutants_of(link: &Link, model: &Model) -> Vec<Mutant> {
     }
     present.sort();
     present.dedup();
-    let count = |side: &Expr| {
+    // What was derived and is printed nowhere has no place, and its mutants say nothing of what is printed.
+    let count = |side: &Expr, wanted: &dyn Fn(&Expr) -> bool| {
         let mut nodes = 0;
-        side.walk(&mut |_| nodes += 1);
+        side.walk(&mut |part| nodes += usize::from(wanted(part)));
         nodes
     };
+    let printed = count(&link.lhs, &is_printed) + count(&link.rhs, &is_printed);
+    let nodes = match printed {
+        0 => count(&link.lhs, &|_| true) + count(&link.rhs, &|_| true),
+        printed => printed,
+    };
     // A formula with too many possible mistakes gets a sample of them at even distances.
-    let nodes = count(&link.lhs) + count(&link.rhs);
     let stride = (4 * nodes / MOST.min(LARGEST / nodes.max(1)).max(1)).max(1);
-    let slips = Slips { model, present, stride, met: Cell::new(0) };
+    let slips = Slips { model, present, only_printed: printed > 0, stride, met: Cell::new(0) };
     // The whole right side with the other sign, and multiplied by 2.
     let whole =
         [(Slip::Sign, "−"), (Slip::Number, "2 ")].into_iter().filter(|_| !link.rhs.is_null()).map(|(slip, sign)| {
@@ -88,6 +93,11 @@ pub fn mutants_of(link: &Link, model: &Model) -> Vec<Mutant> {
     let left = slips.of(&link.lhs).into_iter().map(|(lhs, slip, change)| (Link { lhs, ..link.clone() }, slip, change));
     let right = slips.of(&link.rhs).into_iter().map(|(rhs, slip, change)| (Link { rhs, ..link.clone() }, slip, change));
     left.chain(right).map(|(link, slip, change)| Mutant { link, slip, change }).chain(whole).collect()
+}
+
+/// Whether a part of a formula stands in a text.
+fn is_printed(part: &Expr) -> bool {
+    part.span.start < part.span.end
 }
 
 /// The approximate largest number of mutants of one claim.
@@ -104,6 +114,8 @@ fn instead(new: &str, old: &str) -> String {
 /// A generator of formulas with one mistake.
 struct Slips<'a> {
     model: &'a Model,
+    /// Whether mistakes are made only in what stands in a text.
+    only_printed: bool,
     /// The distance between mistakes that are made: 1 for all.
     stride: usize,
     /// The number of possible mistakes so far.
@@ -129,7 +141,8 @@ impl Slips<'_> {
         wide: usize,
         slips: &mut Vec<(Expr, Slip, String)>,
     ) {
-        for (changed, slip, change) in self.here(part) {
+        let here = if self.only_printed && !is_printed(part) { Vec::new() } else { self.here(part) };
+        for (changed, slip, change) in here {
             if (0..wide).all(|_| self.is_wanted()) {
                 let mut copy = whole.clone();
                 let mut place = &mut copy;

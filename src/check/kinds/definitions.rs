@@ -13,7 +13,7 @@
 use crate::Result;
 use crate::code::Code;
 use crate::formula::evaluate::evaluate;
-use crate::formula::{Expr, Relation, SymbolId, Value, text};
+use crate::formula::{Expr, Node, Relation, SymbolId, Value, text};
 use crate::scalar::RunningError;
 
 use crate::check::judge::mutants::mutants_of;
@@ -80,7 +80,7 @@ pub fn check(
             format!("defines {name}, which is always 0 as printed; correct the definition"),
         ));
     }
-    let itself = Expr::new(crate::formula::Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, formula.span);
+    let itself = Expr::new(Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, formula.span);
     let definition = Link { lhs: itself, relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
     let mut surviving: Vec<(Expr, String)> = mutants_of(&definition, context.model)
         .into_iter()
@@ -155,18 +155,19 @@ pub fn check(
         *mutant != whole
             && !run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
     });
-    let (code, except) = match surviving.len() < signed {
-        true => (Code::DefinitionUpToSign, " except for its sign"),
-        false => (Code::Definition, ""),
-    };
-    // So is the size of a normal coordinate: linear equations of motion are the same for its double.
-    let sized = surviving.len();
-    if !names.is_empty() && combines_coordinates(formula, context.model) {
+    let mut except: Vec<&str> = if surviving.len() < signed { vec!["its sign"] } else { Vec::new() };
+    // So is the size of a normal coordinate: linear equations of motion are the same for its double, and for its rate.
+    if !names.is_empty() && combines_what_varies(formula, context.model) {
+        let sized = surviving.len();
         surviving.retain(|(mutant, _)| !is_a_multiple(mutant, formula, &states.states));
+        except.extend((surviving.len() < sized).then_some("its factor"));
+        let moved = surviving.len();
+        surviving.retain(|(mutant, _)| *mutant != with_rates(formula, context.model));
+        except.extend((surviving.len() < moved).then_some("a dot more on its coordinates"));
     }
-    let (code, except) = match surviving.len() < sized {
-        true => (Code::DefinitionUpToSign, " except for its factor"),
-        false => (code, except),
+    let (code, except) = match except.is_empty() {
+        true => (Code::Definition, String::new()),
+        false => (Code::DefinitionUpToSign, format!(" except for {}", except.join(" and "))),
     };
     match surviving.first() {
         _ if names.is_empty() => {
@@ -186,16 +187,33 @@ pub fn check(
     }
 }
 
-/// Whether a formula contains several coordinates, and else constants only, as a normal coordinate does.
-fn combines_coordinates(formula: &Expr, model: &Model) -> bool {
+/// Whether a formula contains several coordinates, or a coordinate and the time, and else constants only: as a normal coordinate does,
+/// or one in turning axes.
+fn combines_what_varies(formula: &Expr, model: &Model) -> bool {
     let symbols = formula.symbols();
     let is_coordinate = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Coordinate(_)));
+    let is_time = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Time));
     let fits = |&(id, dots): &(SymbolId, u8)| match model.meaning(id) {
         Some(Meaning::Coordinate(_)) => dots == 0,
-        Some(Meaning::Constant(_)) => true,
+        Some(Meaning::Constant(_) | Meaning::Time) => true,
         _ => false,
     };
-    symbols.iter().filter(|(id, _)| is_coordinate(*id)).count() > 1 && symbols.iter().all(fits)
+    let moving = symbols.iter().filter(|(id, _)| is_coordinate(*id) || is_time(*id)).count();
+    moving > 1 && symbols.iter().any(|(id, _)| is_coordinate(*id)) && symbols.iter().all(fits)
+}
+
+/// A formula with a dot more on each coordinate in it.
+fn with_rates(formula: &Expr, model: &Model) -> Expr {
+    let mut moved = formula.clone();
+    let of_rate = |node: &Node| match node {
+        Node::Symbol { id, indices, dots } if matches!(model.meaning(*id), Some(Meaning::Coordinate(_))) => {
+            let rate = Node::Symbol { id: *id, indices: indices.clone(), dots: dots + 1 };
+            Some(Expr::new(rate, formula.span))
+        }
+        _ => None,
+    };
+    moved.substitute(&of_rate);
+    moved
 }
 
 /// Whether the ratio of a mutant to the formula is the same number at all states; 0 is one, which solves linear equations too.

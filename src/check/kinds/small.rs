@@ -87,18 +87,17 @@ struct Followed<'m> {
 /// A state and the failure there.
 type Shown<'s, 'm> = (&'s SampledState<'m, RunningError>, Failure);
 
-/// A few families of states that screen other texts of a claim, for each way in which its quantities are small.
+/// A few families of states that screen other texts of a claim, for each of the ways in which quantities are small.
 ///
 /// # Errors
 /// When the system's mass matrix is singular.
 pub(crate) fn screen<'m>(
     model: &'m Model,
     mode: Mode,
-    small: &[Expr],
+    ways: &[Vec<Expr>],
     context: &Context<'_>,
 ) -> Result<Vec<Vec<ShrinkingFamily<'m>>>> {
-    let ways = std::iter::once(small.to_vec()).chain(with_rates(small, model));
-    ways.map(|small| families(model, (mode, SCREENED, 0), &small, context)).collect()
+    ways.iter().map(|small| families(model, (mode, SCREENED, 0), small, context)).collect()
 }
 
 /// Whether a claim to an order fails for certain along one of the families of each way.
@@ -109,14 +108,19 @@ pub(crate) fn misses_order(link: &Link, order: u32, ways: &[Vec<ShrinkingFamily<
 
 /// The small quantities with the rates of the coordinates among them; `None`, if these are there already.
 pub(crate) fn with_rates(small: &[Expr], model: &Model) -> Option<Vec<Expr>> {
+    let rates = rates_of(small, model);
+    (!rates.is_empty()).then(|| small.iter().cloned().chain(rates).collect())
+}
+
+/// The rates of the coordinates among some quantities that are not there already.
+fn rates_of(small: &[Expr], model: &Model) -> Vec<Expr> {
     let rate = |name: &Expr| match &name.node {
         Node::Symbol { id, indices, dots: 0 } if model.is_coordinate(*id) => {
             Some(Expr::new(Node::Symbol { id: *id, indices: indices.clone(), dots: 1 }, name.span))
         }
         _ => None,
     };
-    let rates: Vec<Expr> = small.iter().filter_map(rate).filter(|rate| !small.contains(rate)).collect();
-    (!rates.is_empty()).then(|| small.iter().cloned().chain(rates).collect())
+    small.iter().filter_map(rate).filter(|rate| !small.contains(rate)).collect()
 }
 
 /// The power below which an order is missed for certain, rounding included.
@@ -131,15 +135,42 @@ fn missed(order: u32) -> f64 {
 /// When the system's mass matrix is singular.
 pub fn check(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Result<Finding> {
     let found = scaled(link, small, order, context)?;
-    let Some(with_rates) = with_rates(small, context.model).filter(|_| found.verdict == Verdict::Refuted) else {
-        return Ok(found);
-    };
-    let moving = scaled(link, &with_rates, order, context)?;
-    if !moving.verdict.passes() {
+    match rates_of(small, context.model) {
+        rates if rates.is_empty() || found.verdict != Verdict::Refuted => Ok(found),
+        rates => {
+            let moving = with_small_rates(link, (small, &rates), order, context)?;
+            Ok(if moving.verdict.passes() { moving } else { found })
+        }
+    }
+}
+
+/// Checks a claim to first order in coordinates, or else in these and their rates. Where it fails without the rates, and these cannot be
+/// made small, the finding says so.
+///
+/// # Errors
+/// When the system's mass matrix is singular.
+pub fn of_motion(link: &Link, small: &[Expr], rates: &[Expr], context: &Context<'_>) -> Result<Finding> {
+    let found = scaled(link, small, 1, context)?;
+    if found.verdict != Verdict::Refuted || rates.is_empty() {
         return Ok(found);
     }
-    let rates = with_rates[small.len()..].iter();
-    let rates: Vec<String> = rates.map(|rate| text::formula(rate, &context.model.symbols)).collect();
+    let moving = with_small_rates(link, (small, rates), 1, context)?;
+    Ok(if moving.verdict.passes() || moving.code == Code::TooFewStates { moving } else { found })
+}
+
+/// The finding on a claim to an order in coordinates and in rates.
+fn with_small_rates(
+    link: &Link,
+    (small, rates): (&[Expr], &[Expr]),
+    order: u32,
+    context: &Context<'_>,
+) -> Result<Finding> {
+    let all: Vec<Expr> = small.iter().chain(rates).cloned().collect();
+    let moving = scaled(link, &all, order, context)?;
+    if !moving.verdict.passes() {
+        return Ok(moving);
+    }
+    let rates: Vec<String> = rates.iter().map(|rate| text::formula(rate, &context.model.symbols)).collect();
     Ok(Finding { message: format!("{}; small with their coordinates: {}", moving.message, rates.join(", ")), ..moving })
 }
 

@@ -15,10 +15,12 @@
 use rayon::prelude::*;
 
 use crate::Result;
-use crate::formula::Expr;
+use crate::formula::{Expr, Value};
 use crate::latex::slips::{Edit, Pool, Slip};
 use crate::latex::{DefinedSymbol, slips};
 use crate::notes::claims::Claim;
+use crate::scalar::{RunningError, TERMS};
+use crate::source::Span;
 
 use crate::check::certificate::formulas;
 use crate::check::document::checker::Checker;
@@ -26,12 +28,15 @@ use crate::check::document::names::shown;
 use crate::check::document::setup::Run;
 use crate::check::equations::definition_tests::DefinitionTests;
 use crate::check::equations::sentences;
+use crate::check::model::sampling::Spread;
 use crate::check::repair::ranking::{adds_parentheses, rank};
 use crate::check::repair::suggest::{Suggestion, as_repairs, is_in_source};
-use crate::check::sample::context::Options;
+use crate::check::sample::context::{Context, Options};
 use crate::check::sample::setting::FEWEST;
+use crate::check::state::sampled_state::SampledState;
 use crate::check::trial::edited_document::{Checked, first_unexpected, with_text};
 use crate::check::trial::failed_display::{FailedDisplay, MISSING, OFFERED};
+use crate::check::trial::text_trial::Trial;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::Repair;
 
@@ -44,6 +49,9 @@ const POOLS: usize = 3;
 /// The number of edits, the likeliest first, that are tried in the display itself after no equation has detected them. It is
 /// large, since "is constant" alone detects few changes.
 const TRIED: usize = 160;
+
+/// The relative distance of two values that may be equal.
+const CLOSE: f64 = 1e-6;
 
 /// The same number where each trial takes longer, or where the definition is not known to be wrong.
 const FEW: usize = 24;
@@ -124,6 +132,12 @@ impl Checker<'_> {
         let mut tried = Vec::new();
         let start = self.notes.equations[wrong.at].body.start;
         let tries = if most == POOLS && wrong.claim.solves.is_none() { TRIED } else { FEW };
+        let trial = Trial::new(self, wrong.at, wrong.reading, wrong.claim).ok();
+        let changes = |text: &str| {
+            let reading = || self.as_printed(text, wrong.claim, macros);
+            trial.as_ref().is_some_and(|trial| trial.changes_a_constant(&reading()))
+        };
+        let values = Values::of(self, introduced);
         for (at, pool) in pools.into_iter().take(most).enumerate() {
             let mut edits = slips::corrections(wrong.text, symbols, macros, &pool());
             // Parentheses wait for the numbers that may be lost: a lost 2 under a fraction line is likelier.
@@ -143,6 +157,10 @@ impl Checker<'_> {
                     .peekable();
                 let is_undetected =
                     changed.peek().is_some() && !changed.any(|((_, formula), tests)| tests.detects(formula));
+                // Most edits of a constant of the motion change along it.
+                if is_undetected && changes(&text) {
+                    continue;
+                }
                 // 2γ = R/L gives γ a formula, but only γ = R/(2L) is a definition.
                 if is_undetected && self.redefined_model(wrong.at, wrong.claim, &text, &formulas).is_some() {
                     undetected.push((edit, text, formulas));
@@ -153,7 +171,9 @@ impl Checker<'_> {
             let mut distinct: Vec<(&Edit, String, Vec<Expr>)> = Vec::new();
             for candidate in undetected {
                 let same = |known: &Expr, new: &Expr| {
-                    formulas::same(known, new, self.model) || formulas::same(known, &new.clone().negated(), self.model)
+                    let [equal, opposite] = values.may_be_equal(known, new);
+                    equal && formulas::same(known, new, self.model)
+                        || opposite && formulas::same(known, &new.clone().negated(), self.model)
                 };
                 let is_it = |known: &Vec<Expr>| known.iter().zip(&candidate.2).all(|(known, new)| same(known, new));
                 if distinct.len() < tries && !distinct.iter().any(|(.., known)| is_it(known)) {
@@ -221,5 +241,39 @@ impl Checker<'_> {
         let unexpected =
             with_text(self.notes, file).and_then(|notes| first_unexpected(run, self.claims, &notes, at, &fails_now));
         unexpected.is_ok_and(|unexpected| unexpected.is_none())
+    }
+}
+
+/// A state at which formulas for a name are compared: most differ there.
+struct Values<'m>(Option<SampledState<'m, RunningError>>);
+
+impl<'m> Values<'m> {
+    /// A state for formulas like those that a display has.
+    fn of(checker: &Checker<'m>, introduced: &[DefinedSymbol]) -> Self {
+        let context = Context {
+            model: checker.model,
+            options: checker.options,
+            hypotheses: &[],
+            on_shell: Some(false),
+            topic: "formulas for a name",
+            span: Span::default(),
+            spread: Spread::Declared,
+            local: &[],
+        };
+        let formulas: Vec<&Expr> = introduced.iter().map(|new| &new.formula).collect();
+        let mut mode = context.mode(false, &formulas);
+        // Another formula may have a dot more.
+        mode.order = (mode.order + 1).min(TERMS - 1);
+        Values(context.ensemble(mode, false, 1).ok().and_then(|ensemble| ensemble.states.into_iter().next()))
+    }
+
+    /// Whether two formulas may be equal, and whether they may be opposite, as far as their values say.
+    fn may_be_equal(&self, a: &Expr, b: &Expr) -> [bool; 2] {
+        let value = |of: &Expr| match self.0.as_ref()?.now(of, &[]) {
+            Ok(Value::Scalar(value)) if value.value.is_finite() => Some(value.value),
+            _ => None,
+        };
+        let Some((a, b)) = value(a).zip(value(b)) else { return [true, true] };
+        [a - b, a + b].map(|difference| difference.abs() <= CLOSE * (a.abs() + b.abs()))
     }
 }

@@ -7,10 +7,14 @@
 //! - a definition or law that several wrong equations use ([`shared_edit`]), or one that no passing equation uses
 //!   ([`unconfirmed_premises`]).
 //!
+//! Where an edit of the Lagrangian mends several equations, [`blame`] calls the Lagrangian wrong and not these.
+//!
 //! Repairs are ranked in [`ranking`]. Each repair that is offered has passed the full check. Knows `trial` and below.
 
+pub(crate) mod blame;
 pub(crate) mod culprit;
 pub(crate) mod definition_edit;
+pub(crate) mod items;
 pub(crate) mod missing_terms;
 pub(crate) mod missing_vectors;
 pub(crate) mod power_products;

@@ -32,8 +32,7 @@ use crate::check::document::printed_lagrangian;
 use crate::check::document::reading::for_each;
 use crate::check::document::setup::{Run, with_checker};
 use crate::check::equations::sentences;
-use crate::check::model::meaning::Variable;
-use crate::check::model::order::order;
+use crate::check::repair::items::{Item, Passing, SharedEdit};
 use crate::check::repair::ranking::{changes_a_half, rank};
 use crate::check::repair::suggest::{agree_memberwise, has_branches, is_in_source};
 use crate::check::sample::context::Options;
@@ -49,6 +48,9 @@ const DOCUMENTS: usize = 4;
 
 /// The largest number of edits that are tried, the likeliest first, since each makes another document.
 const TRIED: usize = 240;
+
+/// The same number where each trial takes longer.
+const TRIED_SLOWLY: usize = 60;
 
 /// The largest number of displays that cannot be read and are still tried with edits.
 const MOST_UNREADABLE: usize = 12;
@@ -134,39 +136,33 @@ impl Checker<'_> {
             (changes_a_half(text, edit), kind)
         });
         best.truncate(OFFERED);
+        let blamed = self.blamed(&best, &equations);
         for SharedEdit { at, edit, repaired } in best.into_iter().rev() {
             let repairs = self.shared_repairs(at, &edit, &repaired);
+            let offer = |equation: &mut Equation, repair: &Repair| {
+                equation.parts.iter_mut().for_each(|part| part.finding.fit = None);
+                equation.finding.fit = None;
+                let known = &mut equation.repairs;
+                known.retain(|other| (other.span, &other.replacement) != (repair.span, &repair.replacement));
+                known.insert(0, repair.clone());
+                known.truncate(OFFERED);
+            };
+            if let (Some(nth), Some(repair)) = (blamed, repairs.first()) {
+                let is_own = repaired.iter().any(|(item, _)| *item == Item::Display(at));
+                let definition = Repair { verdict: Verdict::Definition, ..repair.clone() };
+                (!is_own).then(|| offer(&mut equations[nth], &definition));
+            }
+            let mended: Vec<usize> = repaired.iter().filter_map(|(item, _)| item.display()).collect();
             for ((item, _), repair) in repaired.into_iter().zip(repairs) {
                 for (nth, _) in wrong.iter().filter(|(_, other)| item == Item::Display(*other)) {
-                    equations[*nth].parts.iter_mut().for_each(|part| part.finding.fit = None);
-                    equations[*nth].finding.fit = None;
-                    let known = &mut equations[*nth].repairs;
-                    known.retain(|other| (other.span, &other.replacement) != (repair.span, &repair.replacement));
-                    known.insert(0, repair.clone());
-                    known.truncate(OFFERED);
+                    offer(&mut equations[*nth], &repair);
                 }
+            }
+            if let Some(nth) = blamed {
+                self.blame(&mut equations, nth, &mended);
             }
         }
         equations
-    }
-
-    /// The number of equations that hold and contain an acceleration: they would fail with most edits of the Lagrangian. One that
-    /// is made of its derivatives holds for any.
-    fn confirmations_of_the_motion(&self, equations: &[Equation]) -> usize {
-        let model = self.model;
-        let lagrangian = model.printed_lagrangian.as_ref().map(|printed| printed.lagrangian.to_string());
-        let has_acceleration = |member: &Expr| {
-            let highest = |coordinate: &Variable| order(model, member, coordinate.symbol).unwrap_or(0);
-            model.coordinates.iter().any(|coordinate| highest(coordinate) > 1)
-        };
-        let confirms = |at: usize| {
-            let text = &self.notes.equations[at].text;
-            let is_of_it = lagrangian.as_ref().is_some_and(|name| name_search::mentions(text, name, &model.macros));
-            let mut members = self.readings[at].statements.iter().flatten().flat_map(|s| &s.members);
-            !is_of_it && self.readings[at].introduced.is_empty() && members.any(has_acceleration)
-        };
-        let holding = equations.iter().filter(|equation| equation.finding.verdict.holds());
-        holding.filter_map(|equation| self.display_of(equation)).filter(|at| confirms(*at)).count()
     }
 
     /// An edit of a display as a repair of each equation that passes with it.
@@ -241,15 +237,6 @@ impl Checker<'_> {
         formulas.any(|formula| self.model.depends_on(formula, &introduced))
     }
 
-    /// Whether a claim needs many states, since it says at which states something holds.
-    fn takes_many_states(&self, item: Item) -> bool {
-        let claim = match item {
-            Item::Display(at) => self.assigned[at],
-            Item::Sentence(at) => Some(&self.claims.sentences[at].claim),
-        };
-        claim.is_some_and(|claim| !claim.exactly_when.is_empty())
-    }
-
     /// Whether a display gives names formulas that contain those of another display, as U(a) does if that display defines U(x).
     fn is_read_again(&self, item: Item, at: usize) -> bool {
         let Item::Display(display) = item else { return false };
@@ -287,6 +274,8 @@ impl Checker<'_> {
         let mut all_found: Vec<SharedEdit> = Vec::new();
         let pools: [(&dyn Fn() -> Pool, bool); 4] =
             [(&Pool::empty, false), (&own, false), (&all, false), (&terms, true)];
+        // With each edit the states that obey hypotheses are sought again.
+        let most = if wrong.iter().all(|item| self.has_hypotheses(*item)) { TRIED_SLOWLY } else { TRIED };
         // Where all must pass, the edits are those of a Lagrangian, and each takes longer.
         let few = if least > 2 { pools.len() - 1 } else { pools.len() };
         for (pool, of_terms) in pools.into_iter().take(few) {
@@ -299,7 +288,7 @@ impl Checker<'_> {
             edits.retain(|edit| !has_branches(&edit.replacement) || has_branches(&display.text));
             edits.retain(|edit| !self.is_unreadable(at) || self.is_readable(at, &edit.applied(&display.text)));
             edits.sort_by_key(|edit| rank(&display.text, edit, false));
-            edits.truncate(TRIED);
+            edits.truncate(most);
             tried.extend(edits.iter().cloned());
             let repaired = |edit: &Edit| match self.is_unreadable(at) {
                 true => self.edited(&Run { options: quick, ..*run }, at, edit, |checker| {
@@ -461,28 +450,6 @@ impl Checker<'_> {
         passing.displays.iter().all(|at| self.equation(*at, self.assigned[*at]).is_ok_and(|found| found.ok))
             && passing.sentences.iter().all(sentence)
     }
-}
-
-/// The displays and sentences that are as expected, by their indices.
-pub(crate) struct Passing {
-    displays: Vec<usize>,
-    sentences: Vec<usize>,
-}
-
-/// A display or a sentence, by its index.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Item {
-    /// A display.
-    Display(usize),
-    /// A sentence of the claims file.
-    Sentence(usize),
-}
-
-/// An edit of a display, and the items that pass with it.
-pub(crate) struct SharedEdit {
-    pub at: usize,
-    pub edit: Edit,
-    pub repaired: Vec<(Item, Verdict)>,
 }
 
 /// The number of items that an edit of the Lagrangian must repair: all of a few, and of more than three all but a quarter, since one of them

@@ -184,7 +184,9 @@ fn places(equation: &Equation, body: Span) -> Vec<Span> {
     let own = |part: &&Part| !part.ok && part.finding.follows_from.is_none();
     let parts = equation.parts.iter().filter(own).map(|part| &part.finding);
     let findings: Vec<_> = if equation.parts.is_empty() { vec![&equation.finding] } else { parts.collect() };
-    if findings.iter().any(|finding| finding.verdict == Verdict::Unreadable) {
+    // The solutions of a display are tested together, so the slip may be in another one than that which fails.
+    let is_anywhere = |finding: &&Finding| finding.verdict == Verdict::Unreadable || finding.code == Code::NotASolution;
+    if findings.iter().any(is_anywhere) {
         return Vec::new();
     }
     let within = |span: Span| body.contains(span).then(|| Span::new(span.start - body.start, span.end - body.start));

@@ -3,7 +3,7 @@
 //! A hypothesis `A = B` is solved for one number of the base. Numbers in which it is linear go first; then higher
 //! derivatives go before velocities, coordinates and constants. A hypothesis under `assuming` holds at the instant.
 //! Under `throughout` its time derivatives vanish too: each is solved for a further number, or vanishes by itself.
-//! Inequalities reject states.
+//! Inequalities reject states; where too few are left, [`super::inequalities`] moves numbers to where they hold.
 //!
 //! # Why inequalities get special states
 //!
@@ -33,6 +33,9 @@ const USUAL: usize = 128;
 
 /// The number of failed projections after which a request for a few states is given up.
 const FEW_ATTEMPTS: usize = 4;
+
+/// The number of states that inequalities may reject beside three for each that is wanted; after that bases are moved into them.
+const FEW_REJECTED: usize = 24;
 
 /// States that obey a setting.
 pub struct Ensemble<'m> {
@@ -65,7 +68,10 @@ impl<'m> Ensemble<'m> {
         };
         while states.len() < points && tried < 4 * points + 32 && !is_given_up(&projection, tried) {
             tried += 1;
-            let base = draw.draw_base(&projection.slots, setting.spread);
+            let mut base = draw.draw_base(&projection.slots, setting.spread);
+            if tried > 3 * points + FEW_REJECTED {
+                projection.move_into_inequalities(&mut base);
+            }
             match projection.project(base) {
                 Ok(Some((base, state))) => {
                     states.push(state);

@@ -52,11 +52,13 @@ impl<'m> PrescribedValues<'m> {
     /// # Errors
     /// If the mass matrix is singular there.
     pub fn at(&mut self, base: &[f64], values: &[f64]) -> Result<Option<SampledState<'m, RunningError>>> {
-        let laws: usize = match self.projection.mode.on_shell {
-            true => self.projection.model.laws.iter().map(|law| law.hypotheses.len()).sum(),
+        // On shell a projection has the laws and the constraints after the hypotheses of its setting.
+        let model = self.projection.model;
+        let of_the_motion: usize = match self.projection.mode.on_shell {
+            true => model.laws.iter().map(|law| law.hypotheses.len()).sum::<usize>() + model.constraints.len(),
             false => 0,
         };
-        let end = self.projection.hypotheses.len() - laws;
+        let end = self.projection.hypotheses.len() - of_the_motion;
         let solved = self.places.iter().filter(|place| place.is_none()).count();
         let mut base = base.to_vec();
         for (at, value) in self.places.iter().zip(values).filter_map(|(place, value)| Some(((*place)?, *value))) {

@@ -13,7 +13,7 @@
 use crate::Result;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
 use crate::latex::{DefinedSymbol, Reading};
-use crate::notes::claims::{Claim, Holds};
+use crate::notes::claims::{Claim, Conserved, Holds};
 use crate::scalar::TERMS;
 use crate::source::Span;
 
@@ -24,11 +24,13 @@ use crate::check::document::reread;
 use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::difference;
 use crate::check::kinds::limit;
+use crate::check::kinds::printed_solution::Solution;
 use crate::check::kinds::series::{self, Read};
 use crate::check::kinds::small;
 use crate::check::kinds::small::ShrinkingFamily;
 use crate::check::kinds::solution;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::model::meaning::Variable;
 use crate::check::model::sampling::{Mode, Spread};
 use crate::check::sample::context::{Context, Options};
 use crate::check::sample::ensemble::Ensemble;
@@ -75,6 +77,8 @@ pub(crate) struct Trial<'d, 'a> {
     screens: Vec<Option<Ensemble<'d>>>,
     /// The screening families of each statement with ≈, along which the small quantities shrink.
     shrinking: Vec<Vec<Vec<ShrinkingFamily<'d>>>>,
+    /// Whether the equations need hold to first order in a small motion only.
+    is_linear: bool,
     /// The only step of a chain to check, as the statement and the member that the step leads to.
     step: Option<(usize, usize)>,
 }
@@ -105,8 +109,15 @@ impl<'d, 'a> Trial<'d, 'a> {
             local,
             screens: Vec::new(),
             shrinking: Vec::new(),
+            is_linear: false,
             step: None,
         };
+        let small = checker.small_motion_of(claim, checker.notes.equations[at].body);
+        trial.is_linear = small.is_some();
+        if let Some(ways) = small {
+            trial.shrinking = (0..now.statements.len()).map(|n| trial.shrinking_motion(n, &ways)).collect();
+            return Ok(trial);
+        }
         if is_screened(claim) {
             let all = now.statements.iter().enumerate();
             trial.screens = all
@@ -165,7 +176,24 @@ impl<'d, 'a> Trial<'d, 'a> {
         mode.order = (mode.order + 1).min(TERMS - 1);
         let small: Result<Vec<Expr>> = self.claim.small.iter().map(|latex| checker.formula(latex)).collect();
         let small = small.map(|small| if small.is_empty() { series.unwrap_or_default() } else { small });
-        let families = small.and_then(|small| small::screen(checker.model, mode, &small, &context));
+        let families = small.and_then(|small| {
+            let with_rates = small::with_rates(&small, checker.model);
+            let ways: Vec<Vec<Expr>> = std::iter::once(small).chain(with_rates).collect();
+            small::screen(checker.model, mode, &ways, &context)
+        });
+        families.ok().filter(|_| !links.is_empty()).unwrap_or_default()
+    }
+
+    /// The screening families of a statement about a small motion.
+    fn shrinking_motion(&self, statement: usize, ways: &[Vec<Expr>]) -> Vec<Vec<ShrinkingFamily<'d>>> {
+        let topic = format!("{} trial {statement}", self.topic);
+        let context = self.context(&topic);
+        let links: Vec<Link> = links(self.checker, (self.now, statement), self.claim, is_equality).collect();
+        let sides: Vec<&Expr> = links.iter().flat_map(|link| [&link.lhs, &link.rhs]).collect();
+        let mut mode = context.mode(true, &sides);
+        // A text may need one derivative more than the original.
+        mode.order = (mode.order + 1).min(TERMS - 1);
+        let families = small::screen(self.checker.model, mode, ways, &context);
         families.ok().filter(|_| !links.is_empty()).unwrap_or_default()
     }
 
@@ -192,17 +220,18 @@ impl<'d, 'a> Trial<'d, 'a> {
         let is_wrong = |part: &Part| matches!(part.finding.verdict, Verdict::Refuted | Verdict::Domain);
         let is_refuted = || self.judged(&self.quick, &reading, offset).is_ok_and(|parts| parts.iter().any(is_wrong));
         let dots = self.motions(&reading);
-        // A solution is no correction of a rate.
-        if dots != self.motions(self.now) && self.motions(self.now).iter().any(|dots| *dots > 0) {
+        // A solution is no correction of a rate, and neither is what is no solution any more.
+        let printed = self.motions(self.now);
+        if dots != printed && printed.iter().any(|dots| *dots > 0) || dots.len() < printed.len() {
             return Ok(Answer::Refused);
         }
-        if !dots.is_empty() && is_refuted() {
+        if !dots.is_empty() && (self.misses_the_motion(&reading) || is_refuted()) {
             return Ok(Answer::Refuted);
         }
         if !says_something(&reading) || reread::missing_from_print(self.checker, &reading, self.now).is_some() {
             return Ok(Answer::Refused);
         }
-        if !is_plain(self.claim) && is_refuted() {
+        if (!is_plain(self.claim) || self.is_linear) && is_refuted() {
             return Ok(Answer::Refuted);
         }
         let Ok(parts) = self.judged(&self.full, &reading, offset) else { return Ok(Answer::Refused) };
@@ -237,12 +266,33 @@ impl<'d, 'a> Trial<'d, 'a> {
 
     /// The number of dots of each solution of the motion, or rate of one, that a reading prints. No screening state tests these.
     fn motions(&self, reading: &Reading) -> Vec<u8> {
+        self.solutions(reading).iter().map(|found| found.dots).collect()
+    }
+
+    fn solutions(&self, reading: &Reading) -> Vec<Solution> {
         let printed = |statement: &Statement| {
             let (relation, _) = statement.relations.first()?;
             let link = self.checker.link(&statement.members[0], *relation, &statement.members[1]).ok()?;
-            self.checker.solution(&link, 0, self.claim).map(|found| found.dots)
+            self.checker.solution(&link, 0, self.claim)
         };
         reading.statements.iter().flatten().filter_map(printed).collect()
+    }
+
+    /// Whether a reading that prints a solution for each coordinate misses the equations of motion at a few states.
+    fn misses_the_motion(&self, reading: &Reading) -> bool {
+        let all = self.solutions(reading);
+        let given = |q: &Variable| all.iter().any(|known| known.coordinate == q.symbol && known.dots == 0);
+        if !self.checker.model.coordinates.iter().all(given) || !self.hypotheses.is_empty() {
+            return false;
+        }
+        let topic = format!("{} trial solutions", self.topic);
+        let context = &self.context(&topic).quick();
+        all.iter().any(|own| {
+            let others: Vec<Solution> =
+                all.iter().filter(|known| known.coordinate != own.coordinate).cloned().collect();
+            solution::is_on_shell(own, &others, context).is_ok_and(|exact| exact == Some(false))
+                && solution::in_first_order(own, &others, context).is_ok_and(|linear| linear.is_none())
+        })
     }
 
     /// Whether a reading contains a rate that is zero at all screening states and that the original does not contain. Such a
@@ -319,8 +369,9 @@ impl<'d, 'a> Trial<'d, 'a> {
     fn fails_screen(&self, reading: &Reading) -> bool {
         let is_approximate = |relation: Relation| relation == Relation::Approximately;
         let misses_order = |(n, ways): (usize, &Vec<Vec<ShrinkingFamily<'_>>>)| {
-            links(self.checker, (reading, n), self.claim, is_approximate)
-                .filter_map(|link| self.to_order(&link))
+            let is_wanted = |relation: Relation| is_approximate(relation) || self.is_linear && is_equality(relation);
+            links(self.checker, (reading, n), self.claim, is_wanted)
+                .filter_map(|link| if self.is_linear { Some((link, 1)) } else { self.to_order(&link) })
                 .any(|(link, order)| small::misses_order(&link, order, ways))
         };
         if self.claim.limit.is_some() && (0..reading.statements.len()).any(|n| self.misses_limit(reading, n)) {
@@ -329,17 +380,43 @@ impl<'d, 'a> Trial<'d, 'a> {
         if reading.statements.len() == self.shrinking.len() && self.shrinking.iter().enumerate().any(misses_order) {
             return true;
         }
+        let deduction = self.checker.options.deduction;
+        (0..reading.statements.len()).any(|n| {
+            self.screen_of(reading, n).is_some_and(|s| {
+                tested_links(self.checker, (reading, n), self.claim).any(|link| refuted(&link, s, deduction))
+            })
+        }) || self.changes_a_constant(reading)
+    }
+
+    /// The screening states of a statement of a reading.
+    fn screen_of(&self, reading: &Reading, n: usize) -> Option<&Ensemble<'d>> {
         // A text with ± in place of a sign has two statements for one.
-        let screen = |n: usize| match self.screens.as_slice() {
+        match self.screens.as_slice() {
             [only] => only.as_ref(),
             all if all.len() == reading.statements.len() => all[n].as_ref(),
             _ => None,
-        };
+        }
+    }
+
+    /// Whether a formula that a reading says is constant changes along the motion at a screening state. Hypotheses about an instant hold
+    /// at all times in such a claim, so with hypotheses these states say nothing.
+    pub fn changes_a_constant(&self, reading: &Reading) -> bool {
+        if !self.checker.model.has_motion() || !self.hypotheses.is_empty() || !self.local.is_empty() {
+            return false;
+        }
+        let own: Vec<SymbolId> = reading.introduced.iter().chain(&self.now.introduced).map(|new| new.symbol).collect();
+        let is_claimed = matches!(self.claim.conserved.as_ref().map(|it| &it.value), Some(Conserved::This));
         (0..reading.statements.len()).any(|n| {
-            let deduction = self.checker.options.deduction;
-            screen(n).is_some_and(|s| {
-                tested_links(self.checker, (reading, n), self.claim).any(|link| refuted(&link, s, deduction))
-            })
+            let Ok(statement) = &reading.statements[n] else { return false };
+            let constant = (is_claimed || statement.constant.is_some()).then(|| statement.members.last()).flatten();
+            // A name that the text defines has another formula in the model.
+            let Some(constant) = constant.filter(|member| !self.checker.model.depends_on(member, &own)) else {
+                return false;
+            };
+            let rate = Expr::new(Node::TimeDerivative(1, Box::new(constant.clone())), constant.span);
+            let link = self.checker.link(&rate, Relation::Equal, &Expr::integer(0, constant.span));
+            let fails = |screen: &Ensemble<'_>| link.as_ref().is_ok_and(|link| refuted(link, screen, true));
+            self.screen_of(reading, n).filter(|screen| screen.mode.on_shell).is_some_and(fails)
         })
     }
 }

@@ -209,7 +209,12 @@ impl Reader<'_> {
                 _ => return false,
             }
         }
-        let depends = |(other, dots): &(SymbolId, u8)| own.contains(&(*other, *dots));
+        // The effective potential and the energy are functions of the coordinates, though no formula of them is known here.
+        let is_of_the_motion = |(other, dots): &(SymbolId, u8)| {
+            let is_coordinate = self.symbols.canonical.iter().any(|(q, _)| q == other);
+            entry.derived && !entry.momentum && own.is_empty() && is_coordinate && *dots == 0
+        };
+        let depends = |given: &(SymbolId, u8)| own.contains(given) || is_of_the_motion(given);
         if let ([only], 1) = (given.as_slice(), arguments.len()) {
             return depends(only) && self.symbols.entry(only.0).varies;
         }

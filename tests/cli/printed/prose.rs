@@ -284,3 +284,42 @@ $$ x(t) = \operatorname{argsh} \cos(\sqrt k t) \tag{5} $$
     let wrong = notes.replace("\\tanh(\\operatorname{artanh} a)", "\\tanh(\\operatorname{arsinh} a)");
     assert_eq!(refused("wrong", &claims, &wrong, "3"), "refuted");
 }
+
+#[test]
+fn a_sentence_defines_a_name_by_its_square_or_a_multiple_of_it() {
+    let notes = |said: &str, law: &str| format!("{ENERGIES}and $L = T - V$. Or, {said},\n\n$$ {law} \\tag{{3}} $$\n");
+    let law = r"\ddot x = -\omega^2 x";
+    assert_eq!(verdicts("square", &spring(), &notes(r"with $\omega^2 = k/m$", law))[2], "passes");
+    assert_eq!(refused("square-slip", &spring(), &notes(r"with $\omega^2 = m/k$", law), "3"), "refuted");
+    let law = r"\ddot x = -4\gamma x";
+    assert_eq!(verdicts("multiple", &spring(), &notes(r"with $4\gamma = k/m$", law))[2], "passes");
+    assert_eq!(refused("multiple-slip", &spring(), &notes(r"with $2\gamma = k/m$", law), "3"), "refuted");
+    // The report says what was taken.
+    let report = report("said", &spring(), &notes(r"with $\omega^2 = k/m$", r"\ddot x = -\omega^2 x"));
+    assert!(report["documents"][0]["inferred"].to_string().contains("ω^2 = k/m, as line"), "{report}");
+    // A declaration is never overruled, and a condition defines nothing.
+    let mut declared = spring();
+    declared["constants"] = json!({ "m, k, \\omega": "> 0" });
+    let law = r"\ddot x = -\omega^2 x";
+    assert_eq!(refused("declared", &declared, &notes(r"with $\omega^2 = k/m$", law), "3"), "refuted");
+    assert_eq!(verdicts("condition", &spring(), &notes(r"if $\omega^2 = k/m$", law))[2], "unreadable");
+}
+
+#[test]
+fn a_meaning_of_the_system_takes_the_coordinate_in_parentheses() {
+    let claims = json!({
+        "coordinates": { "r": "> 0", "\\phi": "angle" },
+        "constants": { "m, k": "> 0" },
+        "means": { "L": "Lagrangian", "V_{\\text{eff}}": "effective potential" },
+    });
+    let notes = |potential: &str| {
+        format!(
+            "$$ L = \\frac12 m (\\dot r^2 + r^2 \\dot\\phi^2) - \\frac12 k r^2 \\tag{{1}} $$\n\n$$ {potential} \\tag{{2}} $$\n"
+        )
+    };
+    let potential = r"V_{\text{eff}}(r) = \frac{p_\phi^2}{2 m r^2} + \frac12 k r^2";
+    assert_eq!(verdicts("effective", &claims, &notes(potential))[1], "passes");
+    assert_eq!(refused("effective-slip", &claims, &notes(&potential.replace("+", "-")), "2"), "refuted");
+    // A constant is a factor as before.
+    assert_eq!(verdicts("factor", &claims, &notes(r"k(r) = k r"))[1], "unreadable");
+}

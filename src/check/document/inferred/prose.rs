@@ -1,7 +1,7 @@
-//! The definitions that the prose makes: "with the Lagrangian $L = T - V$", "put $\\nu = \\sqrt{k/m}$".
+//! The definitions that the prose makes: "with the Lagrangian $L = T - V$", "put $\\nu = \\sqrt{k/m}$", "with $\\omega^2 = k/m$".
 //!
 //! A formula in a sentence defines a name only if nothing else does: no declaration and no display, and a display cannot be
-//! read for lack of it. It must be one equality of the bare name and a formula of known names. A condition ("if $a = b$")
+//! read for lack of it. It must be one equality of the bare name, its square or a multiple of it, and a formula of known names. A condition ("if $a = b$")
 //! defines nothing, and neither does a name that the prose gives two formulas. The Lagrangian is the kinetic less the
 //! potential energy, where the claims file says which these are and no formula defines it.
 
@@ -109,8 +109,29 @@ const MOST_WORDS: usize = 8;
 /// A definition that the prose makes.
 struct Said {
     name: String,
+    /// The left side without a number before it: the name, or its square.
+    left: String,
     formula: String,
     line: usize,
+}
+
+impl Said {
+    /// What an equality of a name, its square, or a multiple of these says.
+    fn of(left: &str, formula: &str, line: usize) -> Self {
+        let number: String = left.chars().take_while(char::is_ascii_digit).collect();
+        let left = left[number.len()..].trim_start().to_owned();
+        let formula = match number.as_str() {
+            "" => formula.to_owned(),
+            number => format!("\\frac{{{formula}}}{{{number}}}"),
+        };
+        Said { name: without_square(&left).to_owned(), left, formula, line }
+    }
+}
+
+/// A name without the 2 above it.
+fn without_square(left: &str) -> &str {
+    let left = left.trim();
+    left.strip_suffix("^2").or(left.strip_suffix("^{2}")).unwrap_or(left).trim_end()
 }
 
 /// The definitions that the prose makes, in its order.
@@ -127,7 +148,7 @@ impl Prose {
                 .any(|mark| formula.contains(mark));
             let is_meant = is_one && (is_announced(notes, *span) || !follows_condition(notes, *span));
             let line = 1 + notes.source.text[..span.start].matches('\n').count();
-            is_meant.then(|| Said { name: name.trim().to_owned(), formula: formula.trim().to_owned(), line })
+            is_meant.then(|| Said::of(name.trim(), formula.trim(), line))
         };
         Prose(notes.inline.iter().filter_map(said).collect())
     }
@@ -163,12 +184,12 @@ impl Prose {
     /// Defines a name by the formula that the prose has for it.
     fn define_one(&self, claims: &Claims, name: &str, model: &mut Model) -> bool {
         let plain = |text: &str| text.split_whitespace().collect::<String>();
+        let said = |one: &Said| (plain(&one.left), plain(&one.formula));
         let mut own = self.0.iter().filter(|said| name_search::same(&said.name, name));
-        let Some(first) = own.next().filter(|first| own.all(|other| plain(&other.formula) == plain(&first.formula)))
-        else {
+        let Some(first) = own.next().filter(|first| own.all(|other| said(other) == said(first))) else {
             return false;
         };
-        defines(claims, (name, &first.formula), model, &format!("as line {} of the notes says", first.line))
+        defines(claims, (&first.left, &first.formula), model, &format!("as line {} of the notes says", first.line))
     }
 }
 
@@ -194,7 +215,8 @@ fn defines(claims: &Claims, (name, formula): (&str, &str), model: &mut Model, wh
     if define(claims, &spanned(name), &spanned(formula), &mut with).is_err() {
         return false;
     }
-    let found = name_search::parse_decorated(name).and_then(|name| with.symbols.find(&name)).map(|(id, _)| id);
+    let bare = without_square(name);
+    let found = name_search::parse_decorated(bare).and_then(|name| with.symbols.find(&name)).map(|(id, _)| id);
     let Some(Meaning::Defined(new)) = found.and_then(|id| with.meaning(id)) else { return false };
     if Expr::symbols(new).is_empty() {
         return false;

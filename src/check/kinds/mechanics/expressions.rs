@@ -16,11 +16,13 @@ pub(super) fn lagrangian(context: &Context<'_>) -> Option<Expr> {
     Some(symbol(id, 0))
 }
 
-/// The derivative of a formula by a symbol with this number of dots.
+/// The derivative of a formula by a symbol with this number of dots. It is printed nowhere, and so has no place.
 pub(super) fn partial(of: &Expr, q: SymbolId, dots: u8, context: &Context<'_>) -> Option<Expr> {
     let by = Variable { id: q, indices: Vec::new(), dots };
     let scope = Scope { symbols: &context.model.symbols, fixed: &[] };
-    derivative::partial(of, &by, scope, of.span).ok()
+    let mut found = derivative::partial(of, &by, scope, of.span).ok()?;
+    found.move_to(Span::default());
+    Some(found)
 }
 
 /// d/dt of a formula.
