@@ -218,12 +218,14 @@ impl Checker<'_> {
         let Some(solves) = &claim.solves else { return Ok(false) };
         let unknowns: Result<Vec<SymbolId>> = solves.unknowns.iter().map(|unknown| self.symbol(unknown)).collect();
         let name = |id: SymbolId| &self.model.symbols.entry(id).name;
-        // s_1 and s_± are values of s.
-        let is_value = |id: SymbolId, unknown: SymbolId| {
-            let (value, unknown) = (name(id), name(unknown));
-            value.base == unknown.base
-                && value.primes == unknown.primes
-                && value.subscript.starts_with(&unknown.subscript)
+        // Where nobody declares the names, s_1 and s_± are values of s.
+        let is_value = |id: SymbolId, other: SymbolId| {
+            let (value, unknown) = (name(id), name(other));
+            id == other
+                || self.model.symbols.guessed
+                    && value.base == unknown.base
+                    && value.primes == unknown.primes
+                    && value.subscript.starts_with(&unknown.subscript)
         };
         let is_one =
             |id: SymbolId| unknowns.is_ok_and(|unknowns| unknowns.iter().any(|unknown| is_value(id, *unknown)));

@@ -62,13 +62,7 @@ pub(crate) fn couple(
         unknowns.dedup();
         let sides: Vec<[Expr; 2]> =
             group.iter().map(|law| &hypotheses[law.at]).map(|c| [c.lhs.clone(), c.rhs.clone()]).collect();
-        let is_linear = |side: &Expr| degree(model, side, &unknowns, u32::max).is_some_and(|degree| degree <= 1);
-        // Relations between rates alone, as n C dT = −p dV and p dV = n R T dV/V, would make all of them 0. They say what
-        // the other quantities are.
-        let has_force = |side: &Expr| !side.is_null() && degree(model, side, &unknowns, u32::min) == Some(0);
-        if unknowns.iter().all(|(_, order)| *order == 1) && !sides.iter().flatten().any(has_force) {
-            continue;
-        }
+        let is_linear = |side: &Expr| degree(model, side, &unknowns).is_some_and(|degree| degree <= 1);
         // No other rule may give an unknown of this group.
         let is_given = |symbol: SymbolId| {
             let from = rules[local..].iter().zip(owners.iter()).find(|(rule, _)| rule.symbol == symbol);
@@ -180,13 +174,12 @@ fn in_a_circle(model: &Model, rules: &[Rule], unknowns: &[(SymbolId, u8)]) -> bo
     })
 }
 
-/// The degree of a formula in the unknown derivatives, which are the highest in it: of its terms the one that `pick` picks.
-/// `None` if it is not a polynomial.
-fn degree(model: &Model, expr: &Expr, unknowns: &[(SymbolId, u8)], pick: fn(u32, u32) -> u32) -> Option<u32> {
+/// The degree of a formula in the unknown derivatives, which are the highest in it; `None` if it is not a polynomial.
+fn degree(model: &Model, expr: &Expr, unknowns: &[(SymbolId, u8)]) -> Option<u32> {
     if !unknowns.iter().any(|(symbol, top)| order(model, expr, *symbol).is_some_and(|order| order >= *top)) {
         return Some(0);
     }
-    let of = |inner: &Expr| degree(model, inner, unknowns, pick);
+    let of = |inner: &Expr| degree(model, inner, unknowns);
     match &expr.node {
         // A time derivative is linear in the highest derivative.
         Node::TimeDerivative(..) => Some(1),
@@ -194,10 +187,7 @@ fn degree(model: &Model, expr: &Expr, unknowns: &[(SymbolId, u8)], pick: fn(u32,
             Some(Meaning::Defined(formula)) if *dots == 0 => of(formula),
             _ => Some(1),
         },
-        Node::Sum(terms) => {
-            let degrees: Option<Vec<u32>> = terms.iter().map(|term| of(&term.expr)).collect();
-            degrees?.into_iter().reduce(pick)
-        }
+        Node::Sum(terms) => terms.iter().map(|term| of(&term.expr)).try_fold(0, |most, degree| Some(most.max(degree?))),
         Node::Product(factors) => factors.iter().map(of).try_fold(0, |sum, degree| Some(sum + degree?)),
         Node::Quotient(above, below) => of(above).filter(|_| of(below) == Some(0)),
         _ => None,

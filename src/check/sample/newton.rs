@@ -174,11 +174,7 @@ impl<'m> Projection<'m> {
         let planned = (n > 0).then(|| planned.lu());
         let (mut vanishing, mut other, mut outside): (Option<usize>, _, _) = (None, None, None);
         for slot in candidates {
-            // A premise about rates is about a process, in which what it relates does change: p dV = n R T dV/V says what p is.
-            let is_rate = |slot: &Slot| self.is_limited() && !slot.constant && slot.order > 0;
-            if vanishing.is_some_and(|known| {
-                class(&self.slots[known]) > class(&self.slots[slot]) && !is_rate(&self.slots[known])
-            }) {
+            if vanishing.is_some_and(|known| class(&self.slots[known]) > class(&self.slots[slot])) {
                 break;
             }
             let Some(column) = self.column(base, slot, &rows)? else { continue };

@@ -44,7 +44,13 @@ pub(super) fn solved<'p>(
     let roots = roots(&readings[at]);
     let is_about =
         |premise: &&Premise| premise.symbols.contains(&unknown) && !has_rate(&readings[premise.at], unknown, model);
-    let about = known.iter().rev().filter(|premise| premise.said == Said::Whole).filter(is_about);
+    // Where the relation has ± too, each of its signs goes with one root.
+    let has_branches = |premise: &&Premise| {
+        let mut statements = readings[premise.at].statements.iter().flatten();
+        !roots.contains(&unknown) && statements.any(|statement| statement.branch.is_some())
+    };
+    let about = known.iter().rev().filter(|premise| premise.said == Said::Whole && !has_branches(premise));
+    let about = about.filter(is_about);
     about
         .take(MOST)
         .map(|of| {

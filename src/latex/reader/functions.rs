@@ -158,10 +158,6 @@ impl Reader<'_> {
             Run { end: start, numbers: 0, symbols: Vec::new(), stands_alone: false, is_rate: false, is_hyperbolic };
         while let Some(item) = items.get(run.end) {
             if self.is_leading_number(item, run.end == start) {
-                if self.is_multiple_of_pi(&run, item) {
-                    run.end += 1;
-                    continue;
-                }
                 if !run.symbols.is_empty() {
                     break;
                 }
@@ -215,15 +211,6 @@ impl Reader<'_> {
             run.stands_alone = true;
         }
         Ok(run)
-    }
-
-    /// Whether an item is the π of `\sin n\pi`, where n counts.
-    fn is_multiple_of_pi(&self, run: &Run, item: &Item) -> bool {
-        let counts = |name: &Name| {
-            ["n", "m", "k", "l", "j", "p", "q", "N", "\\ell"].contains(&name.base.as_str()) && name.subscript.is_empty()
-        };
-        let is_pi = matches!(&item.layout, Layout::Command(name) if name == "\\pi");
-        is_pi && matches!(run.symbols.as_slice(), [(false, only)] if counts(only))
     }
 
     fn is_leading_number(&self, item: &Item, is_first: bool) -> bool {

@@ -160,7 +160,7 @@ fn integrand(text: &str, from: usize, known: &Names) -> Option<(usize, String)> 
         let is_command = text[..at].trim_end_matches(|c: char| c.is_ascii_alphabetic()).ends_with('\\');
         let letter = at + sign.len() + text[at + sign.len()..].len() - text[at + sign.len()..].trim_start().len();
         let end = foreign::quantity(text, letter)?;
-        (!is_command).then(|| (at, letter, end))
+        (!is_command).then_some((at, letter, end))
     })?;
     let (body, letter) = (text.get(from..ends.0)?, &text[ends.1..ends.2]);
     let mut gaps = ["\\,", "\\;", "\\:", "\\ "].iter();

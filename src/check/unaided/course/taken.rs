@@ -6,8 +6,8 @@ use crate::check::unaided::course::Course;
 use crate::check::unaided::gate;
 use crate::check::unaided::inline;
 use crate::check::unaided::premises::{self, Premise, Said};
-use crate::formula::Statement;
 use crate::formula::units::in_si::has_units;
+use crate::formula::{Node, Statement};
 
 impl Course<'_, '_> {
     /// Makes a display that is taken for granted a premise of what comes later.
@@ -21,6 +21,10 @@ impl Course<'_, '_> {
         let mut members =
             self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
         if members.any(has_units) {
+            return;
+        }
+        // Of the modulus of a rate, as in dσ = 2πρ |dρ/dχ| dχ, authors leave the sign open.
+        if has_modulus_of_a_rate(self.checker, at) {
             return;
         }
         // Beside a motion, what is taken for granted is a special case of it or contradicts it, unless it is about constants alone.
@@ -86,4 +90,16 @@ pub(in crate::check::unaided) fn is_static(checker: &Checker<'_>, at: usize) -> 
     let members = checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
     let mut leaves = members.flat_map(|member| gate::leaves(member, checker.model));
     leaves.all(|id| matches!(checker.model.meaning(id), Some(Meaning::Constant(_))))
+}
+
+/// Whether the modulus of something with a rate stands in a display.
+fn has_modulus_of_a_rate(checker: &Checker<'_>, at: usize) -> bool {
+    let mut found = false;
+    for member in checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members) {
+        member.walk(&mut |part| {
+            let Node::Norm(inner) = &part.node else { return };
+            found |= inner.symbols().iter().any(|(_, dots)| *dots > 0);
+        });
+    }
+    found
 }

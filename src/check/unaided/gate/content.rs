@@ -2,8 +2,10 @@
 
 use crate::check::model::Model;
 use crate::check::model::meaning::Meaning;
-use crate::check::unaided::gate::FEWEST_SYMBOLS;
 use crate::formula::{Expr, Node, Sign, Symbols, text};
+
+/// The fewest symbols, each as often as it stands there, of a correction that is no triviality.
+pub(super) const FEWEST_SYMBOLS: usize = 4;
 
 /// Whether an equality says more than that something is equal to itself: what is left of it without the terms that both
 /// sides have is no triviality.

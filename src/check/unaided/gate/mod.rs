@@ -18,7 +18,7 @@ use crate::check::model::Model;
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
 use crate::check::repair::culprit::is_common;
-use crate::check::unaided::gate::content::{is_content, occurrences, operations};
+use crate::check::unaided::gate::content::{FEWEST_SYMBOLS, is_content, occurrences, operations};
 use crate::check::unaided::prose::{Announced, Words};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -27,9 +27,6 @@ use crate::check::verdict::report::Equation;
 
 /// The most symbols that stand on one side only of what one slip separates from an identity.
 const MOST_ON_ONE_SIDE: usize = 2;
-
-/// The fewest symbols, each as often as it stands there, of a correction that is no triviality.
-const FEWEST_SYMBOLS: usize = 4;
 
 /// The fewest symbols and operations of a series that is no triviality.
 const FEWEST_IN_SERIES: usize = 3;
@@ -81,10 +78,7 @@ fn may_be(statement: &Statement, model: &Model, basis: Basis, words: &Words) -> 
         let has_formula = model.meaning(id).is_some_and(|meaning| matches!(meaning, Meaning::Defined(_)));
         // That it is nearly equal to another one is a claim.
         let is_near = statement.relations.iter().all(|(relation, _)| *relation == Relation::Approximately);
-        // A formula for a name that contains the name itself is none: a prime or an index is lost.
-        let is_circular = members[1].symbols().iter().any(|(other, dots)| *other == id && *dots == 0);
         if !is_near
-            && !is_circular
             && !is_derived(first, model)
             && (has_formula || basis == Basis::Definitions && model.meaning(id).is_some())
         {

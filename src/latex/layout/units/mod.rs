@@ -23,10 +23,7 @@ impl Units {
 
     /// Multiplies by other units, or divides by them.
     fn join(&mut self, other: Units, by_slash: bool, span: Span) {
-        // J/mol·K is a joule by mole and kelvin: nobody multiplies an energy by a temperature.
-        let is_per_kelvin = self.divides && !by_slash && self.is_energy() && other.is_kelvin();
-        let by_slash = by_slash || is_per_kelvin;
-        if self.divides && !by_slash || by_slash && !is_per_kelvin && other.divides {
+        if self.divides && !by_slash || by_slash && other.divides {
             self.fault.get_or_insert_with(|| {
                 Fault::ambiguous(span, "the / in this unit may divide by the next unit only, or by all units after it")
                     .help("write J/(kg\\,K) or J\\,kg^{-1}\\,K^{-1}")
@@ -37,19 +34,6 @@ impl Units {
         self.is_letter = self.factors.is_empty() && other.is_letter;
         let sign = if by_slash { -1 } else { 1 };
         self.factors.extend(other.factors.into_iter().map(|(unit, exponent)| (unit, sign * exponent)));
-    }
-
-    /// Whether the first of these units is one of energy or power.
-    fn is_energy(&self) -> bool {
-        let energies = ["J", "kJ", "cal", "kcal", "W", "kW", "eV"];
-        self.factors
-            .first()
-            .is_some_and(|(unit, exponent)| *exponent == 1 && energies.contains(&unit.symbol().as_str()))
-    }
-
-    /// Whether this is a kelvin.
-    fn is_kelvin(&self) -> bool {
-        matches!(self.factors.as_slice(), [(unit, 1)] if unit.symbol() == "K")
     }
 
     /// Raises the last unit to a power, as people read `\text{m/s}^2`.

@@ -221,6 +221,8 @@ $$ \gamma = \frac{1}{\sqrt{1 - v^2/c^2}} $$
 
 $$ T = E - m c^2 $$
 
+Let the energy and the momentum be related by
+
 $$ E^2 = p^2c^2 + m^2c^2 $$",
         )],
     },
