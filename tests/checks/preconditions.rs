@@ -165,3 +165,18 @@ fn what_rests_on_a_false_solution_is_not_certified() {
     assert_eq!(last(falls, way_of_growth), Verdict::Refuted);
     assert_eq!(last(falls, r"x(t) = \frac{m u}{c}\left(1 - e^{-c t/m}\right)"), Verdict::Verified);
 }
+
+#[test]
+fn a_macro_does_not_hide_that_a_claim_restates_its_hypothesis() {
+    let claims = json!({
+        "macros": { r"\ke": r"\frac12 m v^2" },
+        "coordinates": { "r": "> 0" },
+        "constants": { "m": "> 0", "v, T": "any" },
+        "functions": { "V": "of r" },
+        "means": { "L": "Lagrangian" },
+    });
+    let lagrangian = r"L = \frac12 m\dot r^2 - V(r)";
+    let assumed = |latex: &str| verdict(&claims, &[lagrangian, r"T = \ke"], json!({ "assume": latex }));
+    assert_eq!(assumed(r"T = \frac{m v^2}{2}"), Verdict::Undecided);
+    assert_eq!(assumed(r"T = m v^2"), Verdict::Refuted);
+}

@@ -297,21 +297,6 @@ fn a_coordinate_beside_two_places_belongs_to_both() {
 }
 
 #[test]
-fn a_derivative_of_a_printed_function_says_more_than_the_place() {
-    let mut claims = hoop();
-    claims["means"] = json!({ "L": "Lagrangian" });
-    let potential = r"U(\theta) = -\frac12 m R^2\omega^2\sin^2\theta - m g R\cos\theta";
-    let second = |right: &str| {
-        let displays = [HOOP, potential, r"\cos\theta_0 = \frac{g}{R\omega^2}", right];
-        verdict(&claims, &displays, json!({ "assume": "3" }))
-    };
-    assert_eq!(second(r"U''(\theta_0) = m R^2\omega^2\sin^2\theta_0"), Verified);
-    assert_eq!(second(r"U''(\theta_0) = m R^2\omega^2\cos^2\theta_0"), Refuted);
-    // The twin: the place in other words says nothing.
-    assert_eq!(second(r"R\omega^2\cos\theta_0 = g"), Undecided);
-}
-
-#[test]
 fn numbers_are_drawn_where_inequalities_hold() {
     let claims = json!({
         "coordinates": { "r": "> a", "s": "> b" },

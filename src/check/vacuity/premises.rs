@@ -151,11 +151,6 @@ pub fn vacuity(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vac
             "this follows from its hypotheses alone, whatever the motion; remove those that make it trivial",
         ));
     }
-    // A derivative that the claim prints was formed from another display, which is tested here whatever the hypotheses say.
-    let has_functions = context.model.symbols.iter().any(|(_, entry)| !entry.arguments.is_empty());
-    if has_functions && (is_formed(&link.lhs) || is_formed(&link.rhs)) {
-        return Ok(Vacuity::FollowsFromHypotheses);
-    }
     // The converse: if the claim implies the hypotheses, the two are equivalent.
     let claim = [Hypothesis::of(Link { relation: Relation::Equal, ..link.clone() }, false)];
     let converse = Context { hypotheses: &claim, ..*context };
@@ -193,19 +188,6 @@ pub fn vacuity(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vac
         && needed.into_iter().all(given_back);
     let message = "this only restates its hypotheses, so nothing is checked; remove the hypothesis that says the same";
     Ok(if restates { Vacuity::Vacuous(Code::RestatesHypothesis, message) } else { Vacuity::FollowsFromHypotheses })
-}
-
-/// Whether a formula contains one that is not printed in this place, such as that of U''(a): several parts of it have one place in the
-/// text.
-fn is_formed(expr: &Expr) -> bool {
-    let mut found = false;
-    expr.walk(&mut |part| {
-        let children = part.children();
-        found |= children.len() > 1
-            && part.span.start < part.span.end
-            && children.iter().all(|child| child.span == part.span);
-    });
-    found
 }
 
 /// Whether a formula contains a quantity of the system, of particles or of a frame.
