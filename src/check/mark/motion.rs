@@ -171,7 +171,7 @@ impl Motion {
         }
         if let Kind::Of(letter) = &instant.kind {
             let letter = read(letter)?.as_plain_symbol().filter(|letter| letter.0 < known)?;
-            let formula = expanded(checker, of);
+            let formula = written_out(checker, of);
             let is_constant = |id: SymbolId| matches!(checker.model.meaning(id), Some(Meaning::Constant(_)));
             let symbols = formula.symbols();
             let is_function = symbols.iter().all(|(id, _)| is_constant(*id)) && symbols.contains(&(letter, 0));
@@ -298,7 +298,7 @@ impl Motion {
     fn starts_alike(&self, checker: &Checker<'_>, own: &Solution) -> bool {
         let Some(known) = self.solution(own.coordinate).filter(|known| known.dots == own.dots) else { return true };
         let at_first = |formula: &Expr| {
-            let mut formula = expanded(checker, formula.clone());
+            let mut formula = written_out(checker, formula.clone());
             formula.substitute(&|node| match node {
                 Node::Symbol { id, .. } if matches!(checker.model.meaning(*id), Some(Meaning::Time)) => {
                     Some(Expr::integer(0, own.formula.span))
@@ -341,8 +341,8 @@ pub(super) fn printed(checker: &Checker<'_>, statement: &Statement) -> Option<So
 /// The most definitions that stand within one another.
 const DEEPEST: usize = 8;
 
-/// A formula with the definitions written out that contain the time.
-fn expanded(checker: &Checker<'_>, mut formula: Expr) -> Expr {
+/// A formula with all definitions written out.
+pub(super) fn written_out(checker: &Checker<'_>, mut formula: Expr) -> Expr {
     for _ in 0..DEEPEST {
         formula.substitute(&|node| match node {
             Node::Symbol { id, dots: 0, .. } => match checker.model.meaning(*id) {

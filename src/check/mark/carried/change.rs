@@ -7,6 +7,7 @@ use crate::latex::Reading;
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
+use crate::check::mark::motion::written_out;
 use crate::check::model::meaning::Meaning;
 
 use super::numbers;
@@ -16,9 +17,6 @@ const MULTIPLES: [(u32, u32); 5] = [(2, 1), (1, 2), (3, 1), (1, 3), (4, 1)];
 
 /// The most constants of the problem that may be the other value.
 const OTHERS: usize = 6;
-
-/// The most definitions that stand within one another.
-const DEEPEST: usize = 8;
 
 /// Whether a line says of the false formula of a result how it changes, where the result of the problem that the line is about is
 /// this change.
@@ -60,20 +58,6 @@ pub(super) fn follows(checker: &Checker<'_>, from: usize, own: &Reading) -> bool
                     && holds(&printed, &change(&false_one).negated())
         })
     })
-}
-
-/// A formula with all definitions written out.
-fn written_out(checker: &Checker<'_>, mut formula: Expr) -> Expr {
-    for _ in 0..DEEPEST {
-        formula.substitute(&|node| match node {
-            Node::Symbol { id, dots: 0, .. } => match checker.model.meaning(*id) {
-                Some(Meaning::Defined(value)) => Some((**value).clone()),
-                _ => None,
-            },
-            _ => None,
-        });
-    }
-    formula
 }
 
 fn symbol(id: SymbolId) -> Expr {
