@@ -174,3 +174,71 @@ fn words_count_in_other_languages_too() {
         assert_eq!(verdicts(name, &page(words))[1], "assumed", "{words}");
     }
 }
+
+#[test]
+fn a_lost_dot_spoils_the_dimensions() {
+    let axes = |rate: &str| {
+        format!(
+            "In turning axes\n\n$$ \\ddot x - 2\\omega\\dot y - \\omega^2 x = f $$\n\n$$ \\ddot y + 2\\omega {rate} - \\omega^2 y = g $$\n\n\
+             $$ u = \\dot x - \\omega y $$\n\n$$ v = \\dot y + \\omega x $$\n\n\
+             $$ w^2 = (\\dot x - \\omega y)^2 + (\\dot y + \\omega x)^2 $$\n"
+        )
+    };
+    assert_eq!(verdicts("dot", &axes(r"\dot x"))[1], "assumed");
+    assert_eq!(verdicts("dot-slip", &axes("x"))[1], "refuted");
+    // A constant that has other units in another solution is no lost dot on the time.
+    let damped = r"The equation is
+
+$$ \ddot x + 2\kappa\dot x + \omega_0^2 x = 0 $$
+
+For strong damping
+
+$$ x = c_1 e^{-\kappa_1 t} + c_2 e^{-\kappa_2 t} $$
+
+$$ \dot x = -\kappa_1 c_1 e^{-\kappa_1 t} - \kappa_2 c_2 e^{-\kappa_2 t} $$
+
+For critical damping $\kappa = \omega_0$ the general solution is
+
+$$ x = c_1 e^{-\kappa t} + c_2 t e^{-\kappa t} $$
+";
+    assert!(!verdicts("critical", damped).contains(&"refuted".to_owned()));
+}
+
+#[test]
+fn planck_s_two_constants_are_one() {
+    let levels =
+        |factor: u32| format!("$$ E = \\frac{{n^2\\pi^2\\hbar^2}}{{2mL^2}} = \\frac{{n^2h^2}}{{{factor}mL^2}} $$\n");
+    let right = verdicts("planck", &levels(8));
+    assert!(matches!(right[0].as_str(), "verified" | "certified"), "{right:?}");
+    assert_eq!(verdicts("planck-slip", &levels(4))[0], "refuted");
+}
+
+#[test]
+fn a_correction_that_prints_another_relation_is_no_slip() {
+    // γ is printed without its formula, and every relation becomes an identity with a factor of it.
+    assert_eq!(verdicts("lorentz", "$$ \\gamma(1 - \\beta^2) = \\frac{1}{\\gamma} $$\n")[0], "assumed");
+    // A root of an equation with ± goes with one of its signs.
+    let widths = "$$ \\omega L - \\frac{1}{\\omega C} = \\pm R $$\n\nwith the solutions\n\n\
+                  $$ \\omega_\\pm = \\pm\\frac{R}{2L} + \\sqrt{\\frac{R^2}{4L^2} + \\frac{1}{LC}} $$\n";
+    assert!(!verdicts("widths", widths).contains(&"refuted".to_owned()));
+    // Authors leave the sign of dρ open.
+    let sphere = |value: &str| {
+        format!(
+            "$$ d\\sigma = 2\\pi\\rho\\,d\\rho = 2\\pi\\rho\\left|\\frac{{d\\rho}}{{d\\chi}}\\right| d\\chi $$\n\nFor a sphere\n\n\
+             $$ \\rho = R\\cos\\frac{{\\chi}}{{2}} $$\n\nhence\n\n$$ d\\sigma = {value} $$\n"
+        )
+    };
+    assert_eq!(verdicts("sphere", &sphere(r"\frac12\pi R^2\sin\chi\,d\chi"))[2], "assumed");
+}
+
+#[test]
+fn a_step_of_a_chain_is_judged_beside_an_unknown_derivative() {
+    let slope = |number: u32| {
+        format!(
+            "$$ \\frac{{d^2 B}}{{dz^2}} = -3\\left[\\frac{{1}}{{(a^2+z^2)^{{5/2}}}} - \\frac{{{number}z^2}}{{(a^2+z^2)^{{7/2}}}}\\right] \
+             = 3\\,\\frac{{4z^2-a^2}}{{(a^2+z^2)^{{7/2}}}} $$\n"
+        )
+    };
+    assert_ne!(verdicts("slope", &slope(5))[0], "refuted");
+    assert_eq!(verdicts("slope-slip", &slope(3))[0], "refuted");
+}

@@ -130,6 +130,12 @@ pub(super) fn are_spoilt(checker: &Checker<'_>, at: usize, repair: &Repair) -> b
     faults(&corrected) > faults(&display.text)
 }
 
+/// The symbols that have a dot in some statements.
+fn rates_of<'s>(statements: impl Iterator<Item = &'s Statement>) -> BTreeSet<SymbolId> {
+    let members = statements.flat_map(|statement| &statement.members);
+    members.flat_map(Expr::symbols).filter(|(_, dots)| *dots > 0).map(|(id, _)| id).collect()
+}
+
 fn symbols_of(statements: &[&Statement]) -> BTreeSet<SymbolId> {
     let members = statements.iter().flat_map(|statement| &statement.members);
     members.flat_map(Expr::symbols).map(|(id, _)| id).collect()
@@ -176,11 +182,16 @@ fn conflict(checker: &Checker<'_>, at: usize, all: &[(usize, Vec<&Statement>)]) 
     if !(0..rest.len()).all(goes_on_without) {
         return None;
     }
+    // A dot is lost on what has one elsewhere: the time has no rate, and a constant has none.
+    let rates = rates_of(all.iter().filter(|(other, _)| *other != at).flat_map(|(_, statements)| statements).copied());
     let fits = |edit: &Edit| {
         let mut table = symbols.clone();
         let reading = read_display(&edit.applied(&display.text), &mut table, &checker.model.macros);
         let read: Option<Vec<&Statement>> = reading.statements.iter().map(|read| read.as_ref().ok()).collect();
         let Some(read) = read.filter(|read| !read.is_empty()) else { return false };
+        if edit.slip == Slip::Dot && !rates_of(read.iter().copied()).is_subset(&rates) {
+            return false;
+        }
         let mut check = UnitCheck::new(&table);
         check.inference = others.inference.clone();
         let before = check.inference.requirements();
