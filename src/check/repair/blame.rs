@@ -2,7 +2,7 @@
 //!
 //! A slip in the Lagrangian makes most displays fail, and one edit of it makes all of these hold. Then one slip there is far likelier than
 //! one in each of them. So the display of the Lagrangian is called wrong, and the others are left open: they follow once it is corrected.
-//! The same is done where a display is false itself, and an edit that mends it mends others too.
+//! The same is done where a display is false itself, and an edit that corrects it corrects others too.
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
@@ -18,7 +18,7 @@ use crate::code::Code;
 use crate::formula::Expr;
 use crate::latex::name_search;
 
-/// The least number of displays that call the Lagrangian wrong, where one edit of it mends all of them. Of fewer, each may be wrong
+/// The least number of displays that call the Lagrangian wrong, where one edit of it corrects all of them. Of fewer, each may be wrong
 /// by itself.
 const BLAMED: usize = 4;
 
@@ -42,24 +42,24 @@ impl Checker<'_> {
         holding.filter_map(|equation| self.display_of(equation)).filter(|at| confirms(*at)).count()
     }
 
-    /// The place in the report of the one display of which edits mend several displays, where it is wrong and these are not: it is
+    /// The place in the report of the one display of which edits correct several displays, where it is wrong and these are not: it is
     /// false itself, or it is a part of the Lagrangian and many displays contradict it.
     pub(crate) fn blamed(&self, best: &[SharedEdit], equations: &[Equation]) -> Option<usize> {
         let first = best.first()?;
         let nth = equations.iter().position(|equation| self.display_of(equation) == Some(first.at))?;
-        let mended: Vec<usize> = first.repaired.iter().filter_map(|(item, _)| item.display()).collect();
+        let corrected: Vec<usize> = first.repaired.iter().filter_map(|(item, _)| item.display()).collect();
         let introduced = &self.readings[first.at].introduced;
         let moves = introduced.iter().any(|new| printed_lagrangian::is_part(self.model, new.symbol));
-        let is_false = is_refuted(&equations[nth]) && mended.contains(&first.at) && mended.len() > 1;
-        let is_contradicted = moves && equations[nth].ok && mended.len() >= BLAMED;
+        let is_false = is_refuted(&equations[nth]) && corrected.contains(&first.at) && corrected.len() > 1;
+        let is_contradicted = moves && equations[nth].ok && corrected.len() >= BLAMED;
         let is_alone = best.iter().all(|other| other.at == first.at);
         ((is_false || is_contradicted) && is_alone).then_some(nth)
     }
 
     /// Calls a display wrong that others contradict, and leaves these open: they follow once it is corrected.
-    pub(crate) fn blame(&self, equations: &mut [Equation], nth: usize, mended: &[usize]) {
+    pub(crate) fn blame(&self, equations: &mut [Equation], nth: usize, corrected: &[usize]) {
         let id = equations[nth].id.clone();
-        let names = mended.iter().map(|at| shown(&self.notes.equations[*at]));
+        let names = corrected.iter().map(|at| shown(&self.notes.equations[*at]));
         let names: Vec<String> = names.filter(|name| *name != id).collect();
         let Some((first, others)) = names.split_first() else { return };
         let blamed = &mut equations[nth];

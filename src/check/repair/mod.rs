@@ -7,7 +7,7 @@
 //! - a definition or law that several wrong equations use ([`shared_edit`]), or one that no passing equation uses
 //!   ([`unconfirmed_premises`]).
 //!
-//! Where an edit of the Lagrangian mends several equations, [`blame`] calls the Lagrangian wrong and not these.
+//! Where an edit of the Lagrangian corrects several equations, [`blame`] calls the Lagrangian wrong and not these.
 //!
 //! Repairs are ranked in [`ranking`]. Each repair that is offered has passed the full check. Knows `trial` and below.
 

@@ -152,14 +152,14 @@ impl Checker<'_> {
                 let definition = Repair { verdict: Verdict::Definition, ..repair.clone() };
                 (!is_own).then(|| offer(&mut equations[nth], &definition));
             }
-            let mended: Vec<usize> = repaired.iter().filter_map(|(item, _)| item.display()).collect();
+            let corrected: Vec<usize> = repaired.iter().filter_map(|(item, _)| item.display()).collect();
             for ((item, _), repair) in repaired.into_iter().zip(repairs) {
                 for (nth, _) in wrong.iter().filter(|(_, other)| item == Item::Display(*other)) {
                     offer(&mut equations[*nth], &repair);
                 }
             }
             if let Some(nth) = blamed {
-                self.blame(&mut equations, nth, &mended);
+                self.blame(&mut equations, nth, &corrected);
             }
         }
         equations
