@@ -41,6 +41,8 @@ mod other_branches;
 mod own_system;
 #[path = "checks/preconditions.rs"]
 mod preconditions;
+#[path = "checks/prose_claims.rs"]
+mod prose_claims;
 #[path = "checks/rates.rs"]
 mod rates;
 #[path = "checks/repairs.rs"]

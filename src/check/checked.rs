@@ -6,7 +6,7 @@ use crate::parallel::on_deep_stacks;
 use crate::systems::Registry;
 
 use crate::check::document::setup::Run;
-use crate::check::run::check_in;
+use crate::check::prose_claims;
 use crate::check::sample::context::Options;
 use crate::check::unaided::guessed;
 use crate::check::verdict::report::Document;
@@ -32,6 +32,21 @@ pub fn check_document(
 pub fn check_claims(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
     match claims.guesses {
         Some(_) => guessed(run, claims, notes),
-        None => check_in(run, claims, notes),
+        None => Ok(with_untested_definitions(prose_claims::checked(run, claims, notes)?)),
     }
+}
+
+/// The document, in which a definition that no other display tests is no failure. Nothing says that it is wrong: it may be the
+/// last result. It stays `undecided`, and the report warns of it.
+fn with_untested_definitions(mut document: Document) -> Document {
+    for equation in document.equations.iter_mut().filter(|equation| !equation.ok && equation.because.is_none()) {
+        for part in &mut equation.parts {
+            part.ok |= part.finding.is_untested_definition();
+        }
+        equation.ok = match equation.parts.is_empty() {
+            true => equation.finding.is_untested_definition(),
+            false => equation.parts.iter().all(|part| part.ok),
+        };
+    }
+    document
 }

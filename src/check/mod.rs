@@ -38,6 +38,7 @@ pub(crate) mod mark;
 pub(crate) mod model;
 #[cfg(feature = "cli")]
 pub(crate) mod mutation;
+pub(crate) mod prose_claims;
 pub(crate) mod repair;
 #[cfg(feature = "cli")]
 pub(crate) mod reprint;
@@ -48,6 +49,7 @@ pub(crate) mod state;
 pub(crate) mod steps;
 pub(crate) mod trial;
 pub(crate) mod unaided;
+pub(crate) mod usage;
 pub(crate) mod vacuity;
 pub(crate) mod verdict;
 

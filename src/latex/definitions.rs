@@ -1,6 +1,7 @@
 //! Symbols that a statement defines: an unknown name that is a whole member of a chain, and the formula beside it.
 //!
-//! An unknown name may be the left side, `\vec L = …`, or its square may be, `\omega_{eff}^2 = …`. It may be a later
+//! An unknown name may be the left side, `\vec L = …`, or its square may be, `\omega_{eff}^2 = …`, or another whole power,
+//! `r_0^3 = …`, of which it is the root. It may be a later
 //! member of a chain of = and ≡, `… = M\vec v_{cm} = \vec P_{cm}`. After ≡ a sum of names may name the terms of the sum
 //! before it, one by one: `… \equiv \vec L_{orb} + \vec L_{spin}`.
 
@@ -13,6 +14,9 @@ use crate::suggest::declaration;
 use super::layout::{Delimiter, Item, Layout};
 use super::names;
 use super::reader::Reader;
+
+/// The highest power of a name that a formula defines.
+const HIGHEST_POWER: u32 = 9;
 
 /// A symbol that a statement of a display defines.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +38,8 @@ pub(super) enum Unknown {
     Name(Name, Span),
     /// A name alone, squared.
     Square(Name, Span),
+    /// A name alone, to a higher power.
+    Power(Name, Span, u32),
     /// A name after a whole number, `2\beta = b/m`.
     Multiple(Name, Span, String),
     /// A name with known names in parentheses, `V(r)`: a function of them.
@@ -106,50 +112,53 @@ impl Unknown {
         }
         let significant: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
         let time = symbols.time.clone();
-        let mut name = |item: &Item, squared: bool| {
+        let mut name = |item: &Item, power: Option<u32>| {
             let printed = names::printed(item, branch).filter(|printed| printed.dots == 0)?;
             let reserved = printed.name.subscript.is_empty() && printed.name.base == "\\pi"
-                || (squared || place != Place::First) && has_a_custom(&printed.name)
+                || (power.is_some() || place != Place::First) && has_a_custom(&printed.name)
                 || Some(&printed.name) == symbols.time.as_ref();
-            let raised = match printed.sup {
-                None => !squared,
-                Some(sup) => squared && is_two(sup),
-            };
-            if reserved || !raised || Reader::new(symbols, branch).is_known(&printed, item.span) {
+            if reserved
+                || printed.sup.map(whole_power) != power.map(Some)
+                || Reader::new(symbols, branch).is_known(&printed, item.span)
+            {
                 return None;
             }
             Some((printed.name, item.span))
         };
         match significant.as_slice() {
-            [only] => match name(only, false) {
+            [only] => match name(only, None) {
                 Some((name, span)) => Some(Unknown::Name(name, span)),
                 None if place == Place::First => {
-                    let (name, span) = name(only, true)?;
+                    let power = names::printed(only, branch)?.sup.and_then(whole_power)?;
+                    let (name, span) = name(only, Some(power))?;
                     let is_vector = ["\\vec", "\\mathbf", "\\hat"].iter().any(|mark| name.base.contains(mark));
-                    (!is_vector).then_some(Unknown::Square(name, span))
+                    (!is_vector).then_some(match power {
+                        2 => Unknown::Square(name, span),
+                        _ => Unknown::Power(name, span, power),
+                    })
                 }
                 None => None,
             },
             [Item { layout: Layout::Number(digits), .. }, only]
                 if place == Place::First && digits.parse::<u32>().is_ok_and(|factor| factor > 1) =>
             {
-                let (name, span) = name(only, false)?;
+                let (name, span) = name(only, None)?;
                 let is_vector = ["\\vec", "\\mathbf", "\\hat"].iter().any(|mark| name.base.contains(mark));
                 (!is_vector).then(|| Unknown::Multiple(name, significant[0].span.to(span), digits.clone()))
             }
             // `x(t)` is x, which may vary with time.
             [only, argument] if place == Place::First && is_time(argument, time.as_ref()) => {
-                name(only, false).map(|(name, span)| Unknown::Name(name, span.to(argument.span)))
+                name(only, None).map(|(name, span)| Unknown::Name(name, span.to(argument.span)))
             }
             [only, arguments] if place == Place::First => {
-                let (name, span) = name(only, false)?;
+                let (name, span) = name(only, None)?;
                 let arguments = (arguments.span, Reader::new(symbols, branch).known_arguments(arguments)?);
                 Some(Unknown::Function(name, span.to(arguments.0), arguments.1))
             }
             [first, rest @ ..] if place == Place::AfterIdentical && rest.len() % 2 == 0 => {
-                let mut terms = vec![name(first, false)?];
+                let mut terms = vec![name(first, None)?];
                 for pair in rest.chunks(2) {
-                    let term = name(pair[1], false).filter(|_| pair[0].layout == Layout::Other('+'))?;
+                    let term = name(pair[1], None).filter(|_| pair[0].layout == Layout::Other('+'))?;
                     if terms.iter().any(|(known, _)| *known == term.0) {
                         return None;
                     }
@@ -166,6 +175,7 @@ impl Unknown {
         let (name, span) = match self {
             Unknown::Name(name, span)
             | Unknown::Square(name, span)
+            | Unknown::Power(name, span, _)
             | Unknown::Multiple(name, span, _)
             | Unknown::Function(name, span, _) => (name, *span),
             Unknown::Terms(terms) => (&terms[0].0, terms[0].1),
@@ -211,6 +221,15 @@ impl Unknown {
                 }
                 new.squared = true;
                 Ok((expr, found, vec![new]))
+            }
+            Unknown::Power(name, span, power) => {
+                let root = Expr::new(Node::Root(*power, Box::new(source.0.clone())), source.0.span);
+                let (expr, found, new) = one(name, *span, (&root, source.1), SymbolId(next), symbols)?;
+                if new.kind != Kind::Scalar {
+                    return Err(undeclared(name, *span, symbols));
+                }
+                let exponent = Expr::integer(*power, *span);
+                Ok((Expr::new(Node::Power(Box::new(expr), Box::new(exponent)), *span), found, vec![new]))
             }
             Unknown::Terms(names) => {
                 let Node::Sum(terms) = &source.0.node else { return Err(self.undeclared(symbols)) };
@@ -342,10 +361,14 @@ fn as_printed(name: &Name, span: Span, kind: Kind) -> Result<(), Fault> {
     }
 }
 
-fn is_two(item: &Item) -> bool {
+/// The whole power that an exponent is.
+fn whole_power(item: &Item) -> Option<u32> {
     match &item.layout {
-        Layout::Number(digits) => digits == "2",
-        Layout::Group(items) => matches!(items.as_slice(), [only] if is_two(only)),
-        _ => false,
+        Layout::Number(digits) => digits.parse().ok().filter(|power| (2..=HIGHEST_POWER).contains(power)),
+        Layout::Group(items) => match items.as_slice() {
+            [only] => whole_power(only),
+            _ => None,
+        },
+        _ => None,
     }
 }

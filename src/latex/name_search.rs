@@ -2,6 +2,7 @@
 //!
 //! A text is compared by its tokens, so that it need not be well-formed.
 
+use crate::formula::operators::Function;
 use crate::formula::symbols::Name;
 
 use super::lexer::{Space, TokenKind, tokens};
@@ -23,7 +24,7 @@ pub fn mentions(text: &str, name: &str, macros: &Macros) -> bool {
     !name.is_empty() && text.windows(name.len()).any(|part| part == name)
 }
 
-/// Whether a name, or its square, is a whole side of a relation in a text, so that the text may define it.
+/// Whether a name, or a whole power of it, is a whole side of a relation in a text, so that the text may define it.
 pub fn is_a_side(text: &str, name: &str, macros: &Macros) -> bool {
     let is_relation = |kind: &TokenKind| match kind {
         TokenKind::Other(c) => *c == '=',
@@ -37,13 +38,19 @@ pub fn is_a_side(text: &str, name: &str, macros: &Macros) -> bool {
             || is_relation(kind)
             || is_edge(kind)
             || matches!(kind, TokenKind::Super | TokenKind::Other(_))
+            // The names of a pair, `\omega_\pm`, are not the name without the sign.
+            || matches!(kind, TokenKind::Command(sign) if sign == "\\pm" || sign == "\\mp")
+            // `\cos\theta_0` is no name.
+            || matches!(kind, TokenKind::Command(command) if is_applied(command))
     };
     let kept = |text: &str| -> Vec<TokenKind> { printed_kinds(text, macros).into_iter().filter(is_kept).collect() };
     let (text, name) = (kept(text), kept(name));
     let stands_alone = |at: usize| {
         let (before, after) = (at.checked_sub(1).map(|at| &text[at]), text.get(at + name.len()));
-        before.is_none_or(|kind| is_relation(kind) || is_edge(kind))
-            && after.is_none_or(|kind| is_relation(kind) || is_edge(kind) || *kind == TokenKind::Super)
+        let ends = |kind: Option<&TokenKind>| kind.is_none_or(|kind| is_relation(kind) || is_edge(kind));
+        // Of `\lambda^2 x` the power is a factor.
+        let after_power = text[at + name.len()..].iter().skip(1).find(|kind| !matches!(kind, TokenKind::Digit(_)));
+        ends(before) && (ends(after) || after == Some(&TokenKind::Super) && ends(after_power))
     };
     !name.is_empty() && (0..text.len()).any(|at| text[at..].starts_with(&name) && stands_alone(at))
 }
@@ -54,6 +61,12 @@ fn is_letter_token(kind: &TokenKind) -> bool {
         TokenKind::Command(command) => is_letter(command),
         _ => false,
     }
+}
+
+/// Whether a command is a function, or makes another formula of the one behind it.
+fn is_applied(command: &str) -> bool {
+    let bare = command.trim_start_matches('\\');
+    Function::named(bare).is_some() || ["sqrt", "frac", "dfrac", "tfrac", "det", "partial", "nabla"].contains(&bare)
 }
 
 fn is_wide(kind: &TokenKind) -> bool {

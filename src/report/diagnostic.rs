@@ -52,6 +52,16 @@ pub(super) fn unexpected(document: &Document, item: &Equation, style: Style) -> 
     std::iter::once(first).chain(suggestion::all(document, item, style)).collect::<Vec<_>>().join("\n\n")
 }
 
+/// What passes and should be looked at: a definition that no other display tests.
+pub(super) fn warning(document: &Document, item: &Equation, style: Style) -> Option<String> {
+    let parts = item.parts.iter().map(|part| &part.finding);
+    let finding = parts.chain([&item.finding]).find(|finding| finding.is_untested_definition())?;
+    let code = code::of_finding(finding);
+    let message = format!("({}) {}", item.id, finding.message);
+    let title = Level::WARNING.primary_title(titled("warning", code, &message, style)).id(code);
+    Some(Excerpt::of(&document.source, finding.span).marked(title, Vec::new(), style))
+}
+
 /// One more part of an equation that is not as expected.
 fn another(document: &Document, item: &Equation, at: usize, finding: &Finding, first: &Finding) -> String {
     let (line, column) = document.source.line_column(finding.span.start);

@@ -47,6 +47,11 @@ pub fn report(report: &Report, verbose: bool, style: Style) -> String {
             }
         }
     }
+    for document in report.documents.iter().filter(|document| !document.is_guessed) {
+        for item in items(document).filter(|item| item.ok && item.because.is_none()) {
+            text.extend(diagnostic::warning(document, item, style).map(|warning| warning + "\n\n"));
+        }
+    }
     text.push_str(&wrap("", &summary(report), INDENT, style.width));
     text.push('\n');
     text.push_str(&codes_hint(codes, style));
@@ -76,18 +81,24 @@ fn items(document: &Document) -> impl Iterator<Item = &Equation> {
     document.equations.iter().chain(&document.sentences)
 }
 
+/// Whether it is no failure only because nothing tests the definition.
+fn is_untested(item: &Equation) -> bool {
+    item.ok && item.because.is_none() && item.finding.verdict == Verdict::Undecided
+}
+
 /// A document in one line; below it what is wrong because something else is.
 fn counted(document: &Document, style: Style) -> String {
     // What is as it should be comes first, and then the best verdict.
-    let mut counts: BTreeMap<(bool, usize), (Verdict, usize)> = BTreeMap::new();
+    let mut counts: BTreeMap<(bool, bool, usize), (Verdict, usize)> = BTreeMap::new();
     for item in items(document) {
         let verdict = item.finding.verdict;
-        counts.entry((!item.ok, verdict.severity())).or_insert((verdict, 0)).1 += 1;
+        counts.entry((!item.ok, is_untested(item), verdict.severity())).or_insert((verdict, 0)).1 += 1;
     }
     let mut told: Vec<String> = Vec::new();
-    for ((wrong, _), (verdict, count)) in counts {
+    for ((wrong, is_untested, _), (verdict, count)) in counts {
         let ok = !wrong;
         let expectation = match (ok, verdict.passes()) {
+            _ if is_untested => " with a warning",
             (true, true) | (false, false) => "",
             (true, false) => " as expected",
             (false, true) => " against expectation",
@@ -188,7 +199,7 @@ fn line(item: &Equation, width: usize, style: Style) -> String {
     let finding = &item.finding;
     // What is taken for granted was not checked.
     let mark = match item.ok {
-        true if finding.verdict == Verdict::Assumed => "·",
+        true if finding.verdict == Verdict::Assumed || is_untested(item) => "·",
         true => "✓",
         false => "✗",
     };
@@ -278,7 +289,18 @@ fn summary(report: &Report) -> String {
     let counts: Vec<String> = counts.map(|(verdict, count)| self::count(count, *verdict)).collect();
     let verdict = match (report.unexpected(), report.items().next()) {
         (_, None) => "nothing was checked".to_owned(),
-        (0, _) => "all as expected".to_owned(),
+        (0, _) => match report
+            .documents
+            .iter()
+            .filter(|one| !one.is_guessed)
+            .flat_map(items)
+            .filter(|item| is_untested(item))
+            .count()
+        {
+            0 => "all as expected".to_owned(),
+            1 => "none is wrong, and 1 definition was not tested".to_owned(),
+            n => format!("none is wrong, and {n} definitions were not tested"),
+        },
         (1, _) => "1 is not as expected".to_owned(),
         (n, _) => format!("{n} are not as expected"),
     };

@@ -17,12 +17,14 @@ fn plane() -> Json {
 }
 
 #[test]
-fn forces_that_are_linear_in_the_velocities_leave_the_secular_equation_open() {
+fn forces_that_are_linear_in_the_velocities_count_in_the_secular_equation() {
     let turning = r"L = \frac12 m(\dot x^2 + \dot y^2) + m\Omega(x\dot y - y\dot x) - \frac12 k(x^2 + y^2)";
     let claim = || json!({ "secular equation for": r"\omega" });
-    // True with the term in Ω, and false.
-    for printed in [r"(k - m\omega^2)^2 = 4 m^2\Omega^2\omega^2", r"(k - m\omega^2)^2 = 0"] {
-        assert_eq!(verdict(&plane(), &[turning, printed], claim()), Verdict::Undecided, "{printed}");
+    let (right, without) = (r"(k - m\omega^2)^2 = 4 m^2\Omega^2\omega^2", r"(k - m\omega^2)^2 = 0");
+    assert_eq!(verdict(&plane(), &[turning, right], claim()), Verdict::Verified);
+    for wrong in [without, r"(k - m\omega^2)^2 = 2 m^2\Omega^2\omega^2", r"(k - m\omega^2)^2 = -4 m^2\Omega^2\omega^2"]
+    {
+        assert_eq!(verdict(&plane(), &[turning, wrong], claim()), Verdict::Refuted, "{wrong}");
     }
     // The same terms as a total derivative turn nothing.
     let still = r"L = \frac12 m(\dot x^2 + \dot y^2) + m\Omega(x\dot y + y\dot x) - \frac12 k(x^2 + y^2)";

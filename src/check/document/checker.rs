@@ -114,6 +114,11 @@ impl Checker<'_> {
         for latex in &claim.throughout {
             self.hypothesis(latex, true, &mut hypotheses)?;
         }
+        let stated = hypotheses.len();
+        for latex in &claim.implied {
+            self.hypothesis(latex, false, &mut hypotheses)?;
+        }
+        hypotheses[stated..].iter_mut().for_each(|hypothesis| hypothesis.implied = true);
         Ok(components::vectors(self.model, hypotheses))
     }
 

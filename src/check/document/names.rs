@@ -6,7 +6,7 @@ use crate::code::Code;
 use crate::formula::SymbolId;
 use crate::formula::symbols::Name;
 use crate::latex::names;
-use crate::notes::claims::{Claim, Claims, Spanned};
+use crate::notes::claims::{Claims, Spanned};
 use crate::notes::document::Numbered;
 use crate::notes::{Display, Notes};
 use crate::source::Missing;
@@ -77,21 +77,4 @@ pub(crate) fn symbol(claims: &Claims, model: &Model, latex: &Spanned<String>) ->
             None => error.help(add),
         }
     })
-}
-
-/// Whether a claim says only that the equation holds.
-pub(crate) fn is_plain(claim: &Claim) -> bool {
-    claim.solves.is_none()
-        && claim.generates.is_none()
-        && claim.conserved.is_none()
-        && claim.also_equals.is_none()
-        && claim.dropping.is_none()
-        && claim.limit.is_none()
-        && claim.small.is_empty()
-        && claim.exactly_when.is_empty()
-        && claim.continuum_limit_of.is_none()
-        && claim.equilibrium.is_none()
-        && claim.symmetry.is_empty()
-        && claim.secular_for.is_none()
-        && claim.skip.is_none()
 }

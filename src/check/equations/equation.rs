@@ -315,13 +315,7 @@ impl Checker<'_> {
                 continue;
             }
             // A definition is checked by its uses, unless the chain continues or the claim says more of the name.
-            let says_more = claim.also_equals.is_some()
-                || claim.generates.is_some()
-                || claim.same_motion_as.is_some()
-                || !claim.symmetry.is_empty()
-                || claim.solves.is_some()
-                || claim.conserved.is_some()
-                || statement.constant.is_some();
+            let says_more = claim.tests_a_definition() || statement.constant.is_some();
             if let (0, Some(first)) = (at, introduced.iter().find(|introduced| introduced.member == 0)) {
                 if last && !says_more {
                     findings.push(self.definition(first, context)?);

@@ -6,8 +6,8 @@
 use crate::code::Code;
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
 use crate::latex::Reading;
-use crate::notes::claims::{Claims, Holds, Property, Sentence, Sign, Spanned, Test};
-use crate::source::Missing;
+use crate::notes::claims::{Claims, Holds, Key, Property, Sentence, Sign, Spanned, Test};
+use crate::source::{Missing, Span};
 use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
@@ -79,22 +79,25 @@ pub(crate) fn name(at: usize, sentence: &Sentence) -> String {
     sentence.name.as_ref().map_or_else(|| format!("sentence {}", at + 1), |name| name.value.clone())
 }
 
-/// Rejects keys of an equation's claim that have no meaning for a sentence.
+/// Rejects keys that have no meaning for this sentence: a key that is ignored would look like a pass.
 pub(crate) fn unsupported(claims: &Claims, sentence: &Sentence) -> Result<()> {
-    let claim = &sentence.claim;
-    let spans = [
-        ("in", sentence.scope.as_ref().map(|address| address.span)),
-        ("also equals", claim.also_equals.as_ref().map(|s| s.span)),
-        ("dropping", claim.dropping.as_ref().map(|s| s.span)),
-        ("erratum", claim.errata.first().map(|e| e.printed.span)),
-        ("skip", claim.skip.as_ref().map(|s| s.span)),
-        ("generates", claim.generates.as_ref().map(|s| s.span)),
-    ];
+    let states_a_formula = matches!(sentence.test, Test::Quoted | Test::Claim(_) | Test::NotAlways(_));
     let runs_along =
         matches!(&sentence.test, Test::Of(_, Property::Sign(_) | Property::Minima(_) | Property::Maxima(_)));
     let against = sentence.against.as_ref().filter(|_| !runs_along).map(|against| against.span);
-    match spans.into_iter().chain([("against", against)]).find_map(|(key, span)| Some((key, span?))) {
-        Some((key, span)) => Err(Error::at(&claims.source, span, format!("\"{key}\" is not supported for a sentence"))),
+    let wrong = |(key, span): (Key, Span)| match states_a_formula {
+        _ if !key.fits_a_sentence() => Some((span, format!("\"{}\" is not supported for a sentence", key.text()))),
+        false if !key.fits_a_property() => {
+            Some((span, format!("\"{}\" needs a sentence that states a formula", key.text())))
+        }
+        _ => None,
+    };
+    let named = [("in", sentence.scope.as_ref().map(|address| address.span)), ("against", against)];
+    let named = named.into_iter().find_map(|(key, span)| Some((span?, format!("\"{key}\" is not supported here"))));
+    match named.or_else(|| sentence.claim.keys().find_map(wrong)) {
+        Some((span, message)) => {
+            Err(Error::at(&claims.source, span, message).help("remove it, or write a claim for an equation"))
+        }
         None => Ok(()),
     }
 }

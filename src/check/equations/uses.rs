@@ -9,7 +9,6 @@ use crate::source::Span;
 use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
-use crate::check::document::names;
 use crate::check::document::names::shown;
 use crate::check::document::printed_lagrangian;
 use crate::check::equations::approximations::ApproximateUses;
@@ -97,9 +96,14 @@ impl Checker<'_> {
             Some(about) => self.hypotheses(&Claim { throughout: vec![about.clone()], ..Claim::default() })?,
             None => Vec::new(),
         };
-        let found = steady::check(&self.squared(symbol, formula), &place, context)?;
-        let unsupported = "the frequency of small oscillations cannot be formed here";
-        Ok(Some(found.unwrap_or_else(|| context.finding(Code::NotSupported, Verdict::Undecided, unsupported))))
+        let square = self.squared(symbol, formula);
+        let square = if frequency.is_period { of_period(square) } else { square };
+        let what = if frequency.is_period { "period" } else { "frequency" };
+        let found = steady::check(&square, what, &place, context)?;
+        Ok(Some(found.unwrap_or_else(|| {
+            let message = format!("the {what} of small oscillations cannot be formed here");
+            context.finding(Code::NotSupported, Verdict::Undecided, message)
+        })))
     }
 
     /// Whether a link says what the frequency of small oscillations about a place is.
@@ -124,18 +128,10 @@ impl Checker<'_> {
         };
         let place: Vec<Hypothesis> = context.hypotheses.iter().filter(about).cloned().collect();
         let square = self.squared(introduced.symbol, &introduced.formula);
-        let power = |base: Expr, power: u32| {
-            let exponent = Expr::integer(power, Span::default());
-            Expr::new(Node::Power(Box::new(base), Box::new(exponent)), Span::default())
-        };
-        let turn = Expr::new(
-            Node::Product(vec![Expr::integer(2, Span::default()), Expr::new(Node::Pi, Span::default())]),
-            Span::default(),
-        );
-        let of_period = Expr::new(Node::Quotient(Box::new(power(turn, 2)), Box::new(square.clone())), Span::default());
+        let of_period = of_period(square.clone());
         for (square, what) in [(square, "frequency"), (of_period, "period")] {
             // What cannot be drawn here is none of these.
-            let Ok(mut found) = steady::check(&square, &place, &context.quick()) else { continue };
+            let Ok(mut found) = steady::check(&square, what, &place, &context.quick()) else { continue };
             if found.is_none() && place.is_empty() {
                 found = modes::check(&square, &[], &context.quick()).ok();
             }
@@ -231,7 +227,7 @@ impl Checker<'_> {
         for (at, reading) in self.readings.iter().enumerate().filter(|(at, _)| !self.is_law(*at)) {
             let none = Claim::default();
             let claim = self.assigned[at].unwrap_or(&none);
-            if !names::is_plain(claim) || claim.expect.is_some() || !claim.errata.is_empty() {
+            if !claim.is_plain() || claim.expect.is_some() || !claim.errata.is_empty() {
                 continue;
             }
             for statement in reading.statements.iter().flatten().filter(|_| reading.introduced.is_empty()) {
@@ -282,7 +278,7 @@ impl Checker<'_> {
                     // No state shows that a solution fails, and what holds along one need not hold at each state.
                     let solution = self.solution(&link, k, claim);
                     let is_along = self.model.has_motion() && self.is_along_the_motion(&link);
-                    let is_plain = claim.expect.is_none() && names::is_plain(claim) && !is_along;
+                    let is_plain = claim.expect.is_none() && claim.is_plain() && !is_along;
                     uses.push(Use { id: name, link, hypotheses, local, is_plain, solution });
                 }
             }
@@ -312,7 +308,7 @@ impl Checker<'_> {
                         link,
                         hypotheses,
                         local,
-                        is_plain: claim.expect.is_none() && names::is_plain(claim),
+                        is_plain: claim.expect.is_none() && claim.is_plain(),
                         solution: None,
                     });
                 }
@@ -369,4 +365,13 @@ impl Checker<'_> {
     pub(crate) fn is_law(&self, at: usize) -> bool {
         self.model.laws.iter().any(|law| law.printed.iter().any(|(display, _)| *display == at))
     }
+}
+
+/// The square of the frequency ω whose period T = 2π/ω has this square.
+fn of_period(square: Expr) -> Expr {
+    let node = |node: Node| Expr::new(node, Span::default());
+    let number = |value: u32| Expr::integer(value, Span::default());
+    let turn = node(Node::Product(vec![number(2), node(Node::Pi)]));
+    let turn_squared = node(Node::Power(Box::new(turn), Box::new(number(2))));
+    node(Node::Quotient(Box::new(turn_squared), Box::new(square)))
 }

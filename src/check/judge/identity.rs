@@ -141,6 +141,9 @@ fn where_positive(link: &Link, name: &Expr, context: &Context<'_>, on_shell: boo
     Ok(found.verdict.holds().then_some(Finding { message, ..found }))
 }
 
+/// How many times as many states are drawn where the names of a claim seldom have a value.
+const MORE: usize = 8;
+
 /// Checks a claim at states on shell or off shell.
 fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Finding, Next)> {
     let mode = context.mode(on_shell, &[&link.lhs, &link.rhs]);
@@ -173,8 +176,16 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         ensemble.states.extend(branches::states(context, &ensemble).into_iter().filter(fails));
     }
     let mut tested = AtStates::new(link, &ensemble.states).run(&ensemble.projection);
-    if tested.as_ref().is_ok_and(|outcome| outcome.one_sided.is_some()) && where_names_exist(link, &mut ensemble) {
-        tested = AtStates::new(link, &ensemble.states).run(&ensemble.projection);
+    if tested.as_ref().is_ok_and(|outcome| outcome.one_sided.is_some()) {
+        if ensemble.states.iter().filter(|state| residual::has_its_names(link, state)).count() < FEWEST {
+            // Where names seldom have a value, such as roots of a condition that the prose states, more states are drawn.
+            let more = context.ensemble(mode, false, MORE * context.options.points)?;
+            ensemble.tried += more.tried;
+            ensemble.states.extend(more.states.into_iter().filter(|state| residual::has_its_names(link, state)));
+        }
+        if where_names_exist(link, &mut ensemble) {
+            tested = AtStates::new(link, &ensemble.states).run(&ensemble.projection);
+        }
     }
     let states = AtStates::new(link, &ensemble.states);
     let outcome = match tested {

@@ -27,7 +27,7 @@ impl Solution {
 
     /// The same, where the coordinate may be constant: beside the solution for another one, θ = 0 is a solution too.
     pub(crate) fn of_link_or_constant(link: &Link, model: &Model) -> Option<Solution> {
-        let Node::Symbol { id, indices, dots } = &link.lhs.node else { return None };
+        let Node::Symbol { id, indices, dots } = &renamed(&link.lhs, model).node else { return None };
         let order = order_of_motion(*id, model)?;
         let fits = is_equality(link.relation) && indices.is_empty();
         if !fits || !is_of_time_and_constants(&link.rhs, model) {
@@ -115,4 +115,13 @@ pub(crate) fn constants_of_integration(solution: &Solution, model: &Model) -> Ve
     };
     let all = free_symbols::drawn(&[&solution.formula], model);
     all.into_iter().filter(|id| !of_motion.contains(id)).collect()
+}
+
+/// The coordinate or the rate that a name stands for, as I does in `I = \dot q`; else the formula itself.
+fn renamed<'e>(formula: &'e Expr, model: &'e Model) -> &'e Expr {
+    let meaning = formula.as_plain_symbol().and_then(|id| model.meaning(id));
+    match meaning {
+        Some(Meaning::Defined(other)) if matches!(other.node, Node::Symbol { .. }) => other,
+        _ => formula,
+    }
 }

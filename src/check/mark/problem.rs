@@ -12,6 +12,7 @@ use crate::check::document::setup::{Run, assign, with_checker};
 use crate::check::run::check_in;
 use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
 
 use super::names::Names;
 use super::special::Special;
@@ -200,12 +201,11 @@ fn verdicts(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<(Vec<Verdic
             }
         })
     };
-    let is_untested =
-        |code| matches!(code, Code::DefinitionUnused | Code::DefinitionNotTested | Code::DefinitionUpToSign);
+    let is_untested = |finding: &Finding| finding.is_untested_definition() || finding.code == Code::DefinitionUpToSign;
     let open = |display: &Display| {
         let found = document.equations.iter().find(|equation| Some(equation.id.as_str()) == display.id())?;
         let finding = Some(&found.finding).filter(|finding| finding.verdict == Verdict::Undecided && !found.ok)?;
-        (!is_untested(finding.code)).then(|| finding.message.clone())
+        (!is_untested(finding)).then(|| finding.message.clone())
     };
     Ok((notes.equations.iter().map(of).collect(), notes.equations.iter().map(open).collect()))
 }

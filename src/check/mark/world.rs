@@ -18,7 +18,7 @@ use crate::source::{Missing, Source, Span};
 use crate::check::document::checker::Checker;
 use crate::check::document::setup::{Run, define_macros, with_checker};
 use crate::check::document::unreadable::faults;
-use crate::check::unaided::guess::names::{Usage, names_of};
+use crate::check::usage::{Usage, names_of};
 
 use super::names::Letters;
 use super::problem::Problem;

@@ -56,13 +56,15 @@ pub struct PrintedLagrangian {
     pub place: Span,
 }
 
-/// A name that the claims file says is the frequency of small oscillations about a place, or about a steady motion.
+/// A name that the claims file says is the frequency or the period of small oscillations about a place, or about a steady motion.
 #[derive(Clone, Debug)]
 pub struct Frequency {
     /// Its name.
     pub name: Name,
     /// The equations that give the coordinates their place, in LaTeX; coordinates that are not named are 0.
     pub about: Option<Spanned<String>>,
+    /// Whether it is the period 2π/ω.
+    pub is_period: bool,
 }
 
 /// The Hamiltonian that the notes define, from which the motion follows.

@@ -14,7 +14,7 @@ use crate::{Error, Result, suggest};
 use std::sync::Arc;
 
 /// The meaning that is completed by a place, as in `frequency of small oscillations about \theta = \theta_0`.
-const SMALL_OSCILLATIONS: &str = "frequency of small oscillations";
+const SMALL_OSCILLATIONS: [&str; 2] = ["frequency of small oscillations", "period of small oscillations"];
 
 impl Builder<'_> {
     /// Maps the declared coordinates and constants to those of the system, by name or by `"read"`.
@@ -194,14 +194,15 @@ impl Builder<'_> {
                 }
                 Ok(true)
             }
-            meant if meant.starts_with(SMALL_OSCILLATIONS) => {
-                let rest = &meant[SMALL_OSCILLATIONS.len()..];
+            meant if SMALL_OSCILLATIONS.iter().any(|words| meant.starts_with(words)) => {
+                let is_period = meant.starts_with(SMALL_OSCILLATIONS[1]);
+                let rest = &meant[SMALL_OSCILLATIONS[usize::from(is_period)].len()..];
                 // Oscillations in another potential are not those of the Lagrangian: the name is one that a display defines.
                 if !rest.contains(" in ") {
                     let about = rest.split_once(" about ").map(|(_, about)| about);
                     let about = about.map(|about| about.split(" at fixed ").next().unwrap_or(about).trim().to_owned());
                     let about = about.map(|about| Spanned::new(about, meaning.span));
-                    self.model.frequencies.push(Frequency { name, about });
+                    self.model.frequencies.push(Frequency { name, about, is_period });
                 }
                 Ok(true)
             }

@@ -26,7 +26,6 @@ use crate::source::Fault;
 
 use crate::check::certificate::formulas;
 use crate::check::document::checker::Checker;
-use crate::check::document::names;
 use crate::check::document::names::{is_wrong, shown};
 use crate::check::document::printed_lagrangian;
 use crate::check::document::reading::for_each;
@@ -410,7 +409,7 @@ impl Checker<'_> {
         let none = Claim::default();
         let display = |at: usize| -> Option<Verdict> {
             let (reading, claim) = (&self.readings[at], self.assigned[at].unwrap_or(&none));
-            if quickly && !reading.introduced.is_empty() && names::is_plain(claim) {
+            if quickly && !reading.introduced.is_empty() && claim.is_plain() {
                 let is_readable = reading.statements.iter().all(Result::is_ok);
                 let stands = is_readable && Trial::new(self, at, reading, claim).ok()?.passes_screen();
                 return stands.then_some(Verdict::Definition);

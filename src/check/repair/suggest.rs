@@ -27,7 +27,7 @@ use crate::source::{Fault, Span};
 
 use crate::check::certificate::formulas;
 use crate::check::document::checker::Checker;
-use crate::check::document::names::{is_plain, is_wrong};
+use crate::check::document::names::is_wrong;
 use crate::check::document::setup::Run;
 use crate::check::model::Model;
 use crate::check::repair::missing_terms;
@@ -100,7 +100,7 @@ impl Checker<'_> {
         // No other display is suspected of a position of rest, and each trial of it samples states of its own.
         // Whether it is stable, no edit decides.
         if let Some(claimed) = &claim.equilibrium {
-            if claimed.value != Equilibrium::Any {
+            if matches!(claimed.value, Equilibrium::Stable | Equilibrium::Unstable) {
                 return Ok(equation);
             }
             equation.repairs = self.own_repairs(at, &equation, claim, Search::Nearest)?;
@@ -322,7 +322,7 @@ fn passing_edits(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, edits: &[Edit
             }
             let cuts: Vec<_> = wrong.steps.iter().map(|step| (*step, step_of(wrong.reading, *step))).collect();
             let mut steps = Vec::new();
-            for (step, now) in cuts.iter().filter(|_| is_plain(wrong.claim)) {
+            for (step, now) in cuts.iter().filter(|_| wrong.claim.is_plain()) {
                 steps.push((*step, now, Trial::new(checker, wrong.at, now, wrong.claim)?.for_step(*step)));
             }
             let mut passing = Vec::new();

@@ -190,7 +190,7 @@ impl<'m> Projection<'m> {
             if change.is_nan() || change.abs() <= (1e-7 * scale).max(1e-12 * row_scale) {
                 continue;
             }
-            if self.is_linear(base, row, slot)? {
+            if self.is_linear(base, row, slot, &moved)? {
                 // The planned numbers follow, so a number may go to 0 although the row alone leaves it elsewhere.
                 let goes_to = column.last().map_or(base[slot], |value| base[slot] - value.re / change);
                 let vanishes = goes_to.abs() <= 1e-9 * base[slot].abs();
@@ -226,11 +226,15 @@ impl<'m> Projection<'m> {
         !matches!(self.column(base, slot, &[row]), Ok(Some(column)) if column.iter().all(|value| value.eps == 0.0))
     }
 
-    fn is_linear(&self, base: &[f64], row: Row, slot: usize) -> Result<bool> {
+    /// Whether a row is linear in a number, while the planned numbers follow it: each by −`follow` for each 1 of the number.
+    fn is_linear(&self, base: &[f64], row: Row, slot: usize, follow: &DVector<f64>) -> Result<bool> {
         let mut values = Vec::new();
         for step in [0.0, 0.5, 1.0] {
             let mut moved = base.to_vec();
             moved[slot] += step;
+            for ((_, planned), change) in self.record.plan.iter().zip(follow.iter()) {
+                moved[*planned] -= step * change;
+            }
             let moved: Vec<RunningError> = moved.into_iter().map(RunningError::new).collect();
             let Some(value) = self.values(&self.state(&moved, self.terms)?, &[row]) else { return Ok(false) };
             values.push(value[0].value);

@@ -13,7 +13,7 @@ use crate::notes::claims::Claim;
 use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
-use crate::check::document::names::{is_plain, shown};
+use crate::check::document::names::shown;
 use crate::check::document::setup::Run;
 use crate::check::steps::entailment::{EarlierSteps, Entailment};
 use crate::check::verdict::Verdict;
@@ -193,7 +193,7 @@ impl Checker<'_> {
     fn may_follow(&self, at: usize) -> bool {
         let Some(claim) = self.assigned[at] else { return true };
         let exact = Claim { small: Vec::new(), ..claim.clone() };
-        is_plain(&exact) && claim.errata.is_empty() && claim.expect.is_none() && claim.meanings.is_empty()
+        exact.is_plain() && claim.errata.is_empty() && claim.expect.is_none() && claim.meanings.is_empty()
     }
 }
 

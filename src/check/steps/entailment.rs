@@ -10,7 +10,7 @@ use crate::notes::claims::Claim;
 use crate::scalar::RunningError;
 
 use crate::check::document::checker::Checker;
-use crate::check::document::names::{is_plain, shown};
+use crate::check::document::names::shown;
 use crate::check::hypotheses::motion;
 use crate::check::hypotheses::rule::Action;
 use crate::check::judge::difference::entries;
@@ -71,7 +71,7 @@ impl Checker<'_> {
     /// Whether a step claims what it prints, under hypotheses, and nothing else; only then can others follow from it.
     pub(crate) fn claims_only_what_it_prints(&self, at: usize) -> bool {
         let Some(claim) = self.assigned[at] else { return true };
-        is_plain(claim) && claim.errata.is_empty() && claim.expect.is_none() && claim.meanings.is_empty()
+        claim.is_plain() && claim.errata.is_empty() && claim.expect.is_none() && claim.meanings.is_empty()
     }
 
     /// The entailment of each piece of a step by a false step as printed; `wrong` says whether the pieces are false.

@@ -18,7 +18,7 @@ use crate::scalar::TERMS;
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
-use crate::check::document::names::{is_plain, shown};
+use crate::check::document::names::shown;
 use crate::check::document::normal_frequencies;
 use crate::check::document::reread;
 use crate::check::hypotheses::rule::Rule;
@@ -118,7 +118,7 @@ impl<'d, 'a> Trial<'d, 'a> {
             trial.shrinking = (0..now.statements.len()).map(|n| trial.shrinking_motion(n, &ways)).collect();
             return Ok(trial);
         }
-        if is_screened(claim) {
+        if claim.holds_at_states() {
             let all = now.statements.iter().enumerate();
             trial.screens = all
                 .map(|(n, statement)| {
@@ -231,7 +231,7 @@ impl<'d, 'a> Trial<'d, 'a> {
         if !says_something(&reading) || reread::missing_from_print(self.checker, &reading, self.now).is_some() {
             return Ok(Answer::Refused);
         }
-        if (!is_plain(self.claim) || self.is_linear) && is_refuted() {
+        if (!self.claim.is_plain() || self.is_linear) && is_refuted() {
             return Ok(Answer::Refuted);
         }
         let Ok(parts) = self.judged(&self.full, &reading, offset) else { return Ok(Answer::Refused) };
@@ -481,13 +481,4 @@ fn refuted(link: &Link, screen: &Ensemble<'_>, deduction: bool) -> bool {
         Ok(Point::OneSided(_)) => !deduction,
         _ => false,
     })
-}
-
-/// Whether the equalities and inequalities of a claim's equation must hold at each state.
-fn is_screened(claim: &Claim) -> bool {
-    claim.exactly_when.is_empty()
-        && claim.secular_for.is_none()
-        && claim.equilibrium.is_none()
-        && claim.continuum_limit_of.is_none()
-        && claim.skip.is_none()
 }

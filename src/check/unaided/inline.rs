@@ -13,7 +13,7 @@ use crate::notes::{Display, Notes};
 use crate::source::Span;
 
 use crate::check::document::inferred::prose::{body_of, follows_condition, is_announced, is_named};
-use crate::check::unaided::guess::names::{Usage, names_of};
+use crate::check::usage::{Usage, names_of};
 
 /// The fewest names of a formula that is a relation, and no value or special case.
 const FEWEST_RELATED: usize = 3;

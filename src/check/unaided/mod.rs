@@ -42,6 +42,7 @@ use std::sync::Arc;
 use crate::Error;
 use crate::Result;
 use crate::check::document::setup::{Run, define_macros, with_checker};
+use crate::check::prose_claims;
 use crate::check::run::check_in;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::{Document, Equation};
@@ -129,6 +130,7 @@ pub(super) fn guessed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<D
 /// The findings on the displays of a scope, and the conclusions about symbols. Where the notes solve an equation of motion, what
 /// does not follow by itself is judged once more with that equation as a law.
 fn judged(run: &Run<'_>, claims: &Claims, notes: &Notes, scope: &scope::Scope) -> Result<(Vec<Equation>, Vec<String>)> {
+    let claims = &prose_claims::with_guesses(run, claims, notes);
     let (found, laws, inferred) = with_checker(run, claims, notes, |checker| {
         let mut found = course::judged(run, &checker, scope)?;
         dimensions::blame(&checker, scope.carried, &mut found);

@@ -8,8 +8,8 @@ use std::collections::{BTreeSet, HashMap};
 
 use crate::check::unaided::course::Course;
 use crate::check::unaided::gate;
-use crate::check::unaided::guess::names::names_of;
 use crate::check::unaided::premises::{Premise, Said};
+use crate::check::usage::names_of;
 use crate::formula::symbols::Name;
 use crate::formula::{Expr, Statement, SymbolId};
 use crate::latex::read_display;

@@ -151,6 +151,10 @@ pub fn vacuity(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vac
             "this follows from its hypotheses alone, whatever the motion; remove those that make it trivial",
         ));
     }
+    // What the prose implies is no hypothesis that the author could have restated.
+    if context.hypotheses.iter().all(|hypothesis| hypothesis.implied) {
+        return Ok(Vacuity::FollowsFromHypotheses);
+    }
     // The converse: if the claim implies the hypotheses, the two are equivalent.
     let claim = [Hypothesis::of(Link { relation: Relation::Equal, ..link.clone() }, false)];
     let converse = Context { hypotheses: &claim, ..*context };

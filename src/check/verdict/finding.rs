@@ -119,6 +119,11 @@ pub struct Finding {
 pub(crate) const WOULD_HOLD: &str = "; it would hold with ";
 
 impl Finding {
+    /// Whether it is about a definition that no other display tests.
+    pub(crate) fn is_untested_definition(&self) -> bool {
+        matches!(self.code, Code::DefinitionUnused | Code::DefinitionNotTested)
+    }
+
     /// Takes the mutant that would hold out of the message.
     pub(crate) fn forget_mutant(&mut self) {
         if let Some((before, clause)) = self.message.split_once(WOULD_HOLD) {

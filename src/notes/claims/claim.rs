@@ -58,6 +58,8 @@ pub struct Claim {
     pub secular_for: Option<Spanned<String>>,
     /// `units`: the place of `off`.
     pub units_off: Option<Span>,
+    /// Hypotheses that the prose makes, and no claims file: `\theta_0` is where the system rests.
+    pub implied: Vec<Spanned<String>>,
 }
 
 /// When an equation holds.
@@ -114,6 +116,8 @@ pub enum Equilibrium {
     Stable,
     /// `unstable`: it is an unstable one.
     Unstable,
+    /// `steady`: the other coordinates stay there while cyclic ones move steadily, as on a circular orbit.
+    Steady,
 }
 
 /// A correction: "for … read …".
@@ -246,6 +250,7 @@ pub(super) fn shared(fields: &Fields<'_>, source: &Source) -> Result<Claim, Faul
         at: fields.declared("at", source)?,
         secular_for: fields.text("secular equation for")?,
         units_off: units.map(|off| fields::word(&off, "units", &[("off", ())])).transpose()?.map(|off| off.span),
+        implied: Vec::new(),
     })
 }
 
@@ -308,11 +313,12 @@ fn equilibrium(fields: &Fields<'_>) -> Result<Option<Spanned<Equilibrium>>, Faul
     match fields.get("equilibrium") {
         Some(json @ Json { value: Value::String(_), .. }) => {
             let text = fields::text(json, "equilibrium")?;
-            let words = [("stable", Equilibrium::Stable), ("unstable", Equilibrium::Unstable)];
+            let words =
+                [("stable", Equilibrium::Stable), ("unstable", Equilibrium::Unstable), ("steady", Equilibrium::Steady)];
             Ok(Some(fields::word(&text, "equilibrium", &words)?))
         }
         Some(json) if !matches!(json.value, Value::Bool(_)) => {
-            Err(fields::wrong(json, "equilibrium", "true, \"stable\" or \"unstable\""))
+            Err(fields::wrong(json, "equilibrium", "true, \"stable\", \"unstable\" or \"steady\""))
         }
         _ => Ok(fields.on("equilibrium")?.map(|span| Spanned::new(Equilibrium::Any, span))),
     }

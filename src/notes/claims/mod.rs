@@ -10,6 +10,7 @@
 mod claim;
 mod continua;
 mod fields;
+mod key;
 mod range;
 mod rubric;
 #[cfg(feature = "cli")]
@@ -23,6 +24,7 @@ use std::sync::Arc;
 pub use super::json::Spanned;
 pub use claim::{Claim, Conserved, Equilibrium, Erratum, Expect, Expected, Holds, Solved, Solves};
 pub use continua::{Continuum, SolidKind};
+pub(crate) use key::Key;
 pub use range::{Count, Range};
 pub use rubric::Rubric;
 #[cfg(feature = "cli")]

@@ -93,7 +93,7 @@ fn of_claim(key: &str) -> Value {
         "holds" => json!({ "enum": ["always", "on shell"] }),
         "assume" | "throughout" | "small" | "for" => texts(),
         "where" | "symmetry" | "at" => named(),
-        "equilibrium" => json!({ "enum": [true, "stable", "unstable"] }),
+        "equilibrium" => json!({ "enum": [true, "stable", "unstable", "steady"] }),
         "expect"
         | "because"
         | "skip"

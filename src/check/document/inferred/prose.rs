@@ -282,18 +282,33 @@ fn last(words: &[String], list: &[&str]) -> Option<usize> {
 
 /// The words of a sentence before a formula in it.
 fn words_before(notes: &Notes, span: Span) -> Vec<String> {
+    words_between(notes, sentence_start(notes, span.start), span.start)
+}
+
+/// Where the sentence begins that goes on at a place: after the display, the mark or the blank line before it.
+pub(crate) fn sentence_start(notes: &Notes, end: usize) -> usize {
     let text = &notes.source.text;
-    let start = notes.equations.iter().map(|display| display.span.end).filter(|end| *end <= span.start).max();
-    let mut from = start.unwrap_or(0).max(span.start.saturating_sub(LONGEST));
+    let start = notes.equations.iter().map(|display| display.span.end).filter(|before| *before <= end).max();
+    let mut from = start.unwrap_or(0).max(end.saturating_sub(LONGEST));
     while !text.is_char_boundary(from) {
         from += 1;
     }
-    // Formulas are no words.
-    let mut words = text[from..span.start].to_owned();
-    for other in notes.inline.iter().filter(|other| other.start >= from && other.end <= span.start) {
+    let words = without_formulas(notes, from, end);
+    let mark = words.rfind(['.', '?', '!', ';', ':']).map_or(0, |at| at + 1);
+    let blank = words.rfind("\n\n").map_or(0, |at| at + 2);
+    from + mark.max(blank)
+}
+
+/// The words between two places, in small letters. Formulas are no words.
+pub(crate) fn words_between(notes: &Notes, from: usize, to: usize) -> Vec<String> {
+    let words = without_formulas(notes, from, to).to_lowercase();
+    words.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty()).map(str::to_owned).collect()
+}
+
+fn without_formulas(notes: &Notes, from: usize, to: usize) -> String {
+    let mut words = notes.source.text[from..to].to_owned();
+    for other in notes.inline.iter().filter(|other| other.start >= from && other.end <= to) {
         words.replace_range(other.start - from..other.end - from, &" ".repeat(other.end - other.start));
     }
-    let sentence = words.rsplit(['.', '?', '!', ';', ':']).next().unwrap_or_default();
-    let sentence = sentence.rsplit("\n\n").next().unwrap_or_default().to_lowercase();
-    sentence.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty()).map(str::to_owned).collect()
+    words
 }

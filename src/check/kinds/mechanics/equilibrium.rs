@@ -1,6 +1,7 @@
 //! Equilibria of the motion, and their stability.
 //!
-//! A position is an equilibrium if all accelerations are 0 on shell where the system is at rest there. It is stable if
+//! A position is an equilibrium if all accelerations are 0 on shell where the system is at rest there. A motion is steady if
+//! only cyclic coordinates move, and the others are not accelerated. A position is stable if
 //! K = −∂²L/∂q∂q and the masses M = ∂²L/∂q̇∂q̇ are positive there: then the energy has a strict minimum, by the theorem of
 //! Lagrange and Dirichlet, also with forces that are linear in the velocities. It is unstable if L has no such forces and K has a
 //! negative direction. In between, as for x⁴, the second derivatives do not decide, and the verdict is `undecided`.
@@ -35,7 +36,8 @@ pub(crate) fn check(claimed: Equilibrium, context: &Context<'_>) -> Result<Findi
         );
     };
     let all = context.model.coordinates.iter().enumerate();
-    let own = all.filter(|(at, _)| !system.multipliers().contains(at));
+    let may_move = |at: usize| claimed == Equilibrium::Steady && system.is_certainly_cyclic(at);
+    let own = all.filter(|(at, _)| !system.multipliers().contains(at) && !may_move(*at));
     let coordinates: Vec<SymbolId> = own.map(|(_, coordinate)| coordinate.symbol).collect();
     let zero = Expr::integer(0, Span::default());
     let at_rest = coordinates.iter().map(|q| Hypothesis::of(equal(&symbol(*q, 1), &zero), false));
@@ -55,8 +57,11 @@ pub(crate) fn check(claimed: Equilibrium, context: &Context<'_>) -> Result<Findi
         };
         if !found.verdict.holds() {
             let moves = found.verdict == Verdict::Refuted;
-            let message =
-                if moves { "the system does not stay at rest here".to_owned() } else { found.message.clone() };
+            let message = match (moves, claimed) {
+                (true, Equilibrium::Steady) => "the system does not stay on this steady motion".to_owned(),
+                (true, _) => "the system does not stay at rest here".to_owned(),
+                (false, _) => found.message.clone(),
+            };
             return Ok(Finding { message, ..found });
         }
         let is_weaker = |known: &Finding| found.verdict == Verdict::Verified && known.verdict == Verdict::Certified;
@@ -67,9 +72,13 @@ pub(crate) fn check(claimed: Equilibrium, context: &Context<'_>) -> Result<Findi
     let Some(rest) = worst else {
         return undecided(Code::NotDecided, "there is no coordinate that could be at rest");
     };
-    let rest = Finding { message: "the system stays at rest here".to_owned(), ..rest };
+    let stays = match claimed {
+        Equilibrium::Steady => "the system stays on this steady motion",
+        _ => "the system stays at rest here",
+    };
+    let rest = Finding { message: stays.to_owned(), ..rest };
     match claimed {
-        Equilibrium::Any => Ok(rest),
+        Equilibrium::Any | Equilibrium::Steady => Ok(rest),
         Equilibrium::Stable | Equilibrium::Unstable => stability(claimed, &coordinates, rest, context),
     }
 }

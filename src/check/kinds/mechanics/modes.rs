@@ -1,16 +1,18 @@
 //! Normal frequencies of several coordinates: the roots of det(K − ω²M) = 0.
 //!
-//! K and M are the second derivatives of −L and of L by the coordinates and by the velocities, where all of these are 0. A name for
-//! one frequency is tested by its formula, and no root can pass for another: two names with the same formula pass only if this
-//! root is a double one. A printed secular equation is compared as a whole: its two sides must differ by det(K − ω²M) times a factor
-//! without ω. So it has all roots, and no others.
+//! K and M are the second derivatives of −L and of L by the coordinates and by the velocities, where all of these are 0. Forces that
+//! are linear in the velocities add iωG, with G = ∂²L/∂q̇∂r − ∂²L/∂ṙ∂q; of two coupled coordinates q and r they make the determinant
+//! smaller by ω²G². Coordinates that nothing couples have determinants of their own. A name for one frequency is tested by its
+//! formula, and no root can pass for another: two names with the same formula pass only if this root is a double one. A printed
+//! secular equation is compared as a whole: its two sides must differ by a factor without ω from the determinant of all coordinates, or
+//! of coordinates that nothing couples to the others. So it has all roots, and no others.
 
 use crate::code::Code;
 use crate::formula::{Expr, Node, SymbolId};
 use crate::source::Span;
 use crate::{Error, Result};
 
-use super::expressions::{equal, lagrangian, partial, product, symbol, without_velocity_forces};
+use super::expressions::{equal, lagrangian, partial, product, symbol};
 use crate::check::judge::identity;
 use crate::check::model::PrintedLagrangian;
 use crate::check::model::claim::Link;
@@ -29,17 +31,18 @@ const MOST: usize = 4;
 /// # Errors
 /// When no state can be drawn.
 pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<'_>) -> Result<Finding> {
-    let Some(matrices) = matrices(context) else { return Ok(unsupported(context)) };
-    if let Some(why) = obstacle(&matrices, context)? {
+    let Some(pencil) = Pencil::of(context)? else { return Ok(unsupported(context)) };
+    if let Some(why) = obstacle(&pencil, context)? {
         return Ok(context.finding(Code::NotSupported, Verdict::Undecided, why));
     }
     let zero = Expr::integer(0, Span::default());
-    let link = equal(&secular(&matrices, square), &zero);
+    let Some(determinant) = pencil.secular(square) else { return Ok(too_many_turn(context)) };
+    let link = equal(&determinant, &zero);
     let context = &Context { on_shell: Some(false), ..*context };
     let found = identity::check(&link, context)?;
     match found.verdict {
         // Without masses the determinant says nothing of a frequency.
-        verdict if verdict.holds() && is_zero(&determinant(&matrices.1), context)? => return Ok(unsupported(context)),
+        verdict if verdict.holds() && pencil.is_massless(context)? => return Ok(unsupported(context)),
         verdict if verdict.holds() => {}
         Verdict::Refuted => {
             let message =
@@ -50,7 +53,7 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
     }
     for (name, other) in others {
         let is_same = square == other || identity::check(&equal(square, other), &context.quick())?.verdict.holds();
-        if is_same && !is_double(&matrices, square, context)? {
+        if is_same && !pencil.is_double(square, context)? {
             let message = format!("this is the same normal frequency as {name}, which is no double one");
             return Ok(context.finding(Code::SidesDiffer, Verdict::Refuted, message));
         }
@@ -63,16 +66,17 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
 /// # Errors
 /// When no state can be drawn.
 pub(crate) fn secular_equation(link: &Link, omega: SymbolId, context: &Context<'_>) -> Result<Finding> {
-    let Some(matrices) = matrices(context) else { return Ok(unsupported(context)) };
-    if let Some(why) = obstacle(&matrices, context)? {
+    let Some(pencil) = Pencil::of(context)? else { return Ok(unsupported(context)) };
+    if let Some(why) = obstacle(&pencil, context)? {
         return Ok(context.finding(Code::NotSupported, Verdict::Undecided, why));
     }
     let name = symbol(omega, 0);
-    let ours = secular(&matrices, &product(vec![name.clone(), name]));
+    let Some(determinants) = pencil.determinants(&product(vec![name.clone(), name])) else {
+        return Ok(too_many_turn(context));
+    };
     let printed = link.lhs.clone().minus(link.rhs.clone());
     let context = &Context { on_shell: Some(false), ..*context };
-    let entries = || matrices.0.iter().chain(&matrices.1).flatten();
-    if entries().any(|entry| context.model.depends_on(entry, &[omega])) {
+    if pencil.entries().any(|entry| context.model.depends_on(entry, &[omega])) {
         return Ok(unsupported(context));
     }
     let is_hidden =
@@ -93,14 +97,26 @@ pub(crate) fn secular_equation(link: &Link, omega: SymbolId, context: &Context<'
         });
         of
     };
-    let (printed_at_one, ours_at_one) = (at_one(&printed), at_one(&ours));
-    let link = equal(&product(vec![printed.clone(), ours_at_one]), &product(vec![ours, printed_at_one]));
-    let found = identity::check(&link, context)?;
+    let is_proportional = |ours: &Expr| {
+        let (printed_at_one, ours_at_one) = (at_one(&printed), at_one(ours));
+        let link = equal(&product(vec![printed.clone(), ours_at_one]), &product(vec![ours.clone(), printed_at_one]));
+        identity::check(&link, context)
+    };
+    let mut found = is_proportional(&product(determinants.clone()))?;
+    if found.verdict == Verdict::Refuted && determinants.len() > 1 {
+        for own in &determinants {
+            let of_these = is_proportional(own)?;
+            if of_these.verdict.holds() {
+                found = of_these;
+                break;
+            }
+        }
+    }
     if found.verdict.holds() && is_zero(&printed, context)? {
         return does_not_fit("both sides are equal for every frequency, so this is no equation for it");
     }
     let message = match found.verdict {
-        verdict if verdict.holds() && is_zero(&determinant(&matrices.1), context)? => return Ok(unsupported(context)),
+        verdict if verdict.holds() && pencil.is_massless(context)? => return Ok(unsupported(context)),
         verdict if verdict.holds() => "is the secular equation det(K − ω²M) = 0, up to a factor",
         Verdict::Refuted => "is not the secular equation: its sides do not differ by a multiple of det(K − ω²M)",
         _ => return Ok(found),
@@ -119,14 +135,19 @@ fn unsupported(context: &Context<'_>) -> Finding {
     context.finding(Code::NotSupported, Verdict::Undecided, message)
 }
 
+fn too_many_turn(context: &Context<'_>) -> Finding {
+    let message = "forces that are linear in the velocities couple more than two coordinates; their frequencies are not supported";
+    context.finding(Code::NotSupported, Verdict::Undecided, message)
+}
+
 /// Why det(K − ω²M) = 0 may not give the frequencies, if something speaks against it.
-fn obstacle(matrices: &(Rows, Rows), context: &Context<'_>) -> Result<Option<&'static str>> {
+fn obstacle(pencil: &Pencil, context: &Context<'_>) -> Result<Option<&'static str>> {
     let model = context.model;
     let is_pushed = |printed: &PrintedLagrangian| !printed.forces.is_empty() || !printed.constraints.is_empty();
     if model.printed_lagrangian.as_ref().is_some_and(is_pushed) {
         return Ok(Some("there are forces or constraints beside the Lagrangian, which det(K − ω²M) does not contain"));
     }
-    if matrices.0.iter().chain(&matrices.1).flatten().any(|entry| model.contains_time(entry)) {
+    if pencil.entries().any(|entry| model.contains_time(entry)) {
         return Ok(Some("the Lagrangian depends on the time, so the motion has no normal frequencies"));
     }
     let Some(lagrangian) = lagrangian(context) else { return Ok(None) };
@@ -137,12 +158,6 @@ fn obstacle(matrices: &(Rows, Rows), context: &Context<'_>) -> Result<Option<&'s
         Ok::<bool, Error>(run(link, &ensemble.states).is_ok_and(|outcome| outcome.failure.is_some()))
     };
     let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
-    for link in without_velocity_forces(&lagrangian, &coordinates, context).into_iter().flatten() {
-        let [one, other] = [link.lhs, link.rhs].map(|side| at_zero(side, &coordinates));
-        if one != other && is_refuted(&equal(&one, &other))? {
-            return Ok(Some("there are forces that are linear in the velocities, which det(K − ω²M) does not contain"));
-        }
-    }
     for a in &coordinates {
         let Some(force) = partial(&lagrangian, *a, 0, context).map(|force| at_zero(force, &coordinates)) else {
             continue;
@@ -169,33 +184,122 @@ fn at_zero(mut formula: Expr, coordinates: &[SymbolId]) -> Expr {
 /// A matrix of formulas, by rows.
 type Rows = Vec<Vec<Expr>>;
 
-/// K and M.
-fn matrices(context: &Context<'_>) -> Option<(Rows, Rows)> {
-    let lagrangian = lagrangian(context)?;
-    let coordinates: Vec<SymbolId> = context.model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
-    if coordinates.len() > MOST {
-        return None;
-    }
-    let matrix = |dots: u8| -> Option<Vec<Vec<Expr>>> {
-        let entry = |a: &SymbolId, b: &SymbolId| {
-            let second = partial(&partial(&lagrangian, *a, dots, context)?, *b, dots, context)?;
-            let second = at_zero(second, &coordinates);
-            Some(if dots == 0 { second.negated() } else { second })
-        };
-        coordinates.iter().map(|a| coordinates.iter().map(|b| entry(a, b)).collect()).collect()
-    };
-    Some((matrix(0)?, matrix(1)?))
+/// K, M and G, and the coordinates that they couple.
+struct Pencil {
+    stiffness: Rows,
+    masses: Rows,
+    turning: Rows,
+    /// The places of the coordinates that are coupled to each other.
+    blocks: Vec<Vec<usize>>,
+    /// Whether G is 0 in each of these.
+    is_still: Vec<bool>,
 }
 
-/// det(K − λM).
-fn secular((stiffness, masses): &(Vec<Vec<Expr>>, Vec<Vec<Expr>>), lambda: &Expr) -> Expr {
-    let entry = |k: &Expr, m: &Expr| match m.is_zero() {
-        true => k.clone(),
-        false => k.clone().minus(product(vec![lambda.clone(), m.clone()])),
-    };
-    let rows = stiffness.iter().zip(masses);
-    let matrix: Vec<Vec<Expr>> = rows.map(|(k, m)| k.iter().zip(m).map(|(k, m)| entry(k, m)).collect()).collect();
-    determinant(&matrix)
+impl Pencil {
+    /// Those of the Lagrangian; `None`, if there are none as formulas.
+    fn of(context: &Context<'_>) -> Result<Option<Pencil>> {
+        let coordinates: Vec<SymbolId> = context.model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
+        let Some(lagrangian) = lagrangian(context).filter(|_| coordinates.len() <= MOST) else { return Ok(None) };
+        let second = |a: (SymbolId, u8), b: (SymbolId, u8)| {
+            let second = partial(&partial(&lagrangian, a.0, a.1, context)?, b.0, b.1, context)?;
+            Some(at_zero(second, &coordinates))
+        };
+        let matrix = |entry: &dyn Fn(SymbolId, SymbolId) -> Option<Expr>| -> Option<Rows> {
+            coordinates.iter().map(|a| coordinates.iter().map(|b| entry(*a, *b)).collect()).collect()
+        };
+        let turning = |a: SymbolId, b: SymbolId| {
+            let (one, other) = (second((a, 1), (b, 0))?, second((b, 1), (a, 0))?);
+            Some(if one == other { Expr::integer(0, Span::default()) } else { one.minus(other) })
+        };
+        let stiffness = matrix(&|a, b| second((a, 0), (b, 0)).map(Expr::negated));
+        let all = (stiffness, matrix(&|a, b| second((a, 1), (b, 1))), matrix(&turning));
+        let (Some(stiffness), Some(masses), Some(turning)) = all else { return Ok(None) };
+        let mut blocks: Vec<Vec<usize>> = Vec::new();
+        for at in 0..coordinates.len() {
+            let mut own = vec![at];
+            for block in std::mem::take(&mut blocks) {
+                let mut is_coupled = false;
+                for other in &block {
+                    let entries = [&stiffness[at][*other], &masses[at][*other], &turning[at][*other]];
+                    for entry in entries {
+                        is_coupled = is_coupled || !is_zero(entry, context)?;
+                    }
+                }
+                match is_coupled {
+                    true => own.splice(0..0, block).for_each(drop),
+                    false => blocks.push(block),
+                }
+            }
+            blocks.push(own);
+        }
+        let mut is_still = Vec::new();
+        for block in &blocks {
+            let mut still = true;
+            for (a, b) in block.iter().flat_map(|a| block.iter().map(move |b| (*a, *b))).filter(|(a, b)| a < b) {
+                still = still && is_zero(&turning[a][b], context)?;
+            }
+            is_still.push(still);
+        }
+        Ok(Some(Pencil { stiffness, masses, turning, blocks, is_still }))
+    }
+
+    fn entries(&self) -> impl Iterator<Item = &Expr> {
+        self.stiffness.iter().chain(&self.masses).chain(&self.turning).flatten()
+    }
+
+    /// det(K − λM + i√λ G) for each set of coupled coordinates; `None`, if G couples more than two.
+    fn determinants(&self, lambda: &Expr) -> Option<Vec<Expr>> {
+        let entry = |a: usize, b: usize| {
+            let (k, m) = (&self.stiffness[a][b], &self.masses[a][b]);
+            match m.is_zero() {
+                true => k.clone(),
+                false => k.clone().minus(product(vec![lambda.clone(), m.clone()])),
+            }
+        };
+        let of = |(block, is_still): (&Vec<usize>, &bool)| match (block.as_slice(), is_still) {
+            (block, true) => {
+                let row = |a: &usize| block.iter().map(|b| entry(*a, *b)).collect();
+                Some(determinant(&block.iter().map(row).collect::<Rows>()))
+            }
+            (&[a, b], false) => {
+                let (mixed, turning) = (entry(a, b), &self.turning[a][b]);
+                let squares = [
+                    product(vec![mixed.clone(), mixed]),
+                    product(vec![lambda.clone(), turning.clone(), turning.clone()]),
+                ];
+                Some(product(vec![entry(a, a), entry(b, b)]).minus(super::expressions::sum(squares.to_vec())))
+            }
+            _ => None,
+        };
+        self.blocks.iter().zip(&self.is_still).map(of).collect()
+    }
+
+    /// The determinant for all coordinates.
+    fn secular(&self, lambda: &Expr) -> Option<Expr> {
+        self.determinants(lambda).map(product)
+    }
+
+    /// Whether the masses give no frequency.
+    fn is_massless(&self, context: &Context<'_>) -> Result<bool> {
+        is_zero(&determinant(&self.masses), context)
+    }
+
+    /// Whether a root of the determinant is a double one: its derivative by λ is 0 too. That is the sum of the determinants with one
+    /// row of −M in the place of that of K − λM. With forces that turn, no root is taken for a double one.
+    fn is_double(&self, root: &Expr, context: &Context<'_>) -> Result<bool> {
+        if self.is_still.contains(&false) {
+            return Ok(false);
+        }
+        let (stiffness, masses) = (&self.stiffness, &self.masses);
+        let entry = |k: &Expr, m: &Expr| k.clone().minus(product(vec![root.clone(), m.clone()]));
+        let row = |at: usize| stiffness[at].iter().zip(&masses[at]).map(|(k, m)| entry(k, m)).collect::<Vec<_>>();
+        let mut all = Vec::new();
+        for replaced in 0..stiffness.len() {
+            let rows = (0..stiffness.len()).map(|at| if at == replaced { masses[at].clone() } else { row(at) });
+            all.push(determinant(&rows.collect::<Vec<_>>()));
+        }
+        is_zero(&super::expressions::sum(all), context)
+    }
 }
 
 /// A determinant, written out by its first row.
@@ -218,18 +322,4 @@ fn determinant(matrix: &[Vec<Expr>]) -> Expr {
         });
     }
     whole.unwrap_or_else(|| Expr::integer(0, Span::default()))
-}
-
-/// Whether a root of the determinant is a double one: its derivative by λ is 0 too. That is the sum of the determinants with one row
-/// of −M in the place of that of K − λM.
-fn is_double(matrices: &(Vec<Vec<Expr>>, Vec<Vec<Expr>>), root: &Expr, context: &Context<'_>) -> Result<bool> {
-    let (stiffness, masses) = matrices;
-    let entry = |k: &Expr, m: &Expr| k.clone().minus(product(vec![root.clone(), m.clone()]));
-    let row = |at: usize| stiffness[at].iter().zip(&masses[at]).map(|(k, m)| entry(k, m)).collect::<Vec<_>>();
-    let mut all = Vec::new();
-    for replaced in 0..stiffness.len() {
-        let rows = (0..stiffness.len()).map(|at| if at == replaced { masses[at].clone() } else { row(at) });
-        all.push(determinant(&rows.collect::<Vec<_>>()));
-    }
-    is_zero(&super::expressions::sum(all), context)
 }

@@ -29,12 +29,13 @@ const MOST_CYCLIC: usize = 4;
 /// A coordinate, or with a dot its velocity.
 type Argument = (SymbolId, u8);
 
-/// Checks that `square` is the square of the frequency of small oscillations about a place, which gives the coordinates that are not
+/// Checks that `square` is the square of the frequency of small oscillations about a place; `what` names in messages what is printed, a
+/// frequency or a period. The place gives the coordinates that are not
 /// cyclic their values; those that it does not name are 0. `None` where no such frequency is defined, or it is not supported.
 ///
 /// # Errors
 /// When no state can be drawn.
-pub(crate) fn check(square: &Expr, place: &[Hypothesis], context: &Context<'_>) -> Result<Option<Finding>> {
+pub(crate) fn check(square: &Expr, what: &str, place: &[Hypothesis], context: &Context<'_>) -> Result<Option<Finding>> {
     let model = context.model;
     let (Some(system), Some(lagrangian), Some(printed)) =
         (&model.system, lagrangian(context), &model.printed_lagrangian)
@@ -83,15 +84,20 @@ pub(crate) fn check(square: &Expr, place: &[Hypothesis], context: &Context<'_>) 
     }
     let context = &Context { hypotheses: &lasting, on_shell: Some(true), ..*context };
     let found = identity::check(&link, context)?;
-    let known = "is the frequency of small oscillations: ω² = K/M there";
+    let known = format!("is the {what} of small oscillations: ω² = K/M there");
+    // A frequency exists where the place is stable, and is claimed there.
+    if found.code == Code::DomainDiffers {
+        let holds = context.verified(known, "a root that is not real where the place is not stable");
+        return Ok(Some(Finding { points: found.points, tried: found.tried, ..holds }));
+    }
     // The derived side contains parts that are 0 or 1 in this place; a mutant of these says nothing of what is printed.
     if found.code == Code::MutantPasses {
         let holds = context.verified(known, "derivatives of the Lagrangian in a place that equations give");
         return Ok(Some(Finding { points: found.points, tried: found.tried, ..holds }));
     }
     Ok(Some(match found.verdict {
-        verdict if verdict.holds() => Finding { message: known.to_owned(), ..found },
-        Verdict::Refuted => Finding { message: "is not the frequency of small oscillations".to_owned(), ..found },
+        verdict if verdict.holds() => Finding { message: known, ..found },
+        Verdict::Refuted => Finding { message: format!("is not the {what} of small oscillations"), ..found },
         _ => found,
     }))
 }

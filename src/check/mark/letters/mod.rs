@@ -19,7 +19,7 @@ use crate::notes::Notes;
 
 use crate::check::document::setup::{Run, define_macros};
 use crate::check::sample::context::Options;
-use crate::check::unaided::guess::names::{Usage, names_of};
+use crate::check::usage::{Usage, names_of};
 
 use crate::check::mark::judge::{judge, judge_quickly};
 use crate::check::mark::judged::Judged;

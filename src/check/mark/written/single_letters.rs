@@ -8,7 +8,7 @@ use crate::notes::Display;
 use crate::source::Span;
 
 use crate::check::mark::names::Names;
-use crate::check::unaided::guess::names::names_of;
+use crate::check::usage::names_of;
 
 use super::Written;
 

@@ -12,6 +12,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
+use crate::latex::DefinedSymbol;
 use crate::notes::claims::Claim;
 
 /// The relative difference of two numbers that are equal.
@@ -37,10 +38,18 @@ impl Course<'_, '_> {
             [_] => (Basis::Premise, Search::Likely),
             _ => (Basis::Premises, Search::Likely),
         };
-        let solves =
-            set.is_empty() && (solutions::is_printed(checker, at, claim) || words.connected && self.restates(at));
+        // What the words claim of a name is no definition.
+        let is_frequency = |new: &DefinedSymbol| gate::is_frequency(new.symbol, checker.model);
+        let is_claimed = claim.conserved.is_some()
+            || claim.equilibrium.is_some()
+            || claim.secular_for.is_some()
+            || checker.readings[at].introduced.iter().any(is_frequency);
+        let solves = set.is_empty()
+            && (is_claimed || solutions::is_printed(checker, at, claim) || words.connected && self.restates(at));
         if !solves && !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words)
-            || words.announced == Announced::Assumption && !(words.only_nearness && self.approximates(at))
+            || words.announced == Announced::Assumption
+                && !is_claimed
+                && !(words.only_nearness && self.approximates(at))
             || words.other_case && !self.is_by_itself(at)
         {
             return Ok(None);

@@ -103,9 +103,17 @@ fn may_be(statement: &Statement, model: &Model, basis: Basis, words: &Words) -> 
     })
 }
 
-/// Whether a formula is the name of a quantity that the Lagrangian determines.
+/// Whether a formula is the name of a quantity that the Lagrangian determines, such as a frequency of small oscillations.
 fn is_derived(formula: &Expr, model: &Model) -> bool {
-    formula.as_plain_symbol().is_some_and(|id| matches!(model.meaning(id), Some(Meaning::System(_))))
+    formula
+        .as_plain_symbol()
+        .is_some_and(|id| matches!(model.meaning(id), Some(Meaning::System(_))) || is_frequency(id, model))
+}
+
+/// Whether a name is that of a frequency or a period of small oscillations.
+pub(super) fn is_frequency(id: SymbolId, model: &Model) -> bool {
+    let name = &model.symbols.entry(id).name;
+    model.frequencies.iter().any(|frequency| frequency.name == *name) || model.modes.contains(name)
 }
 
 /// Whether a symbol is a constant that the Lagrangian does not contain and no formula defines.
@@ -185,9 +193,7 @@ pub(super) fn as_following(equation: Equation) -> Option<Equation> {
     if equation.finding.verdict.passes() {
         return Some(equation);
     }
-    let defines = |finding: &Finding| {
-        matches!(finding.code, Code::DefinitionUnused | Code::DefinitionNotTested | Code::DefinitionUpToSign)
-    };
+    let defines = |finding: &Finding| finding.is_untested_definition() || finding.code == Code::DefinitionUpToSign;
     let mut findings = equation.parts.iter().map(|part| &part.finding);
     let passing =
         findings.clone().find(|finding| finding.verdict.passes() && finding.verdict != Verdict::Definition)?;
@@ -231,8 +237,7 @@ fn taken_for_granted(span: Span) -> Finding {
 }
 
 fn finding_as_it_counts(finding: Finding) -> Finding {
-    let is_untested =
-        matches!(finding.code, Code::DefinitionUnused | Code::DefinitionNotTested | Code::DefinitionUpToSign);
+    let is_untested = finding.is_untested_definition() || finding.code == Code::DefinitionUpToSign;
     match finding.verdict {
         Verdict::Refuted => taken_for_granted(finding.span),
         Verdict::Undecided if finding.code == Code::NoMotion => taken_for_granted(finding.span),
@@ -403,7 +408,10 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     let is_expanded = |pair: &[Expr]| {
         pair.iter().any(has_rest) && pair.iter().map(|side| operations(side, model)).sum::<usize>() >= FEWEST_IN_SERIES
     };
-    let is_printed = |pair: &[Expr]| is_differentiated(pair) || is_integrated(pair) || is_expanded(pair);
+    // And a matrix of numbers that a formula of known matrices has.
+    let is_computed = |pair: &[Expr]| pair.iter().any(is_matrix) && pair.iter().any(|side| !is_matrix(side));
+    let is_printed =
+        |pair: &[Expr]| is_differentiated(pair) || is_integrated(pair) || is_expanded(pair) || is_computed(pair);
     let says_something = |pair: &[Expr]| is_content(&pair[0], &pair[1], &symbols, model) || is_printed(pair);
     // That a formula is constant is a claim about it, and the correction has its symbols.
     let is_constant = |statement: &&Statement| {
@@ -421,6 +429,11 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
 fn parts_factors(before: &str, replacement: &str) -> bool {
     let ends_a_factor = before.trim_end().ends_with(|c: char| c.is_alphanumeric() || matches!(c, '}' | ')' | ']'));
     matches!(replacement.trim(), "+" | "-") && ends_a_factor
+}
+
+/// Whether a formula is a written-out matrix of at least two rows and columns.
+fn is_matrix(formula: &Expr) -> bool {
+    matches!(&formula.node, Node::Matrix(rows) if rows.len() > 1 && rows.iter().all(|row| row.len() > 1))
 }
 
 /// How often a symbol is among some.

@@ -8,8 +8,8 @@ use crate::notes::Notes;
 
 use super::inference;
 use crate::check::document::setup::{Run, define_macros};
-use crate::check::unaided::guess::names::{Usage, names_of};
 use crate::check::unaided::with_ids;
+use crate::check::usage::{Usage, names_of};
 
 /// A claims file that was inferred.
 pub struct Draft {

@@ -21,8 +21,8 @@ use crate::check::document::setup::{Run, define_macros, with_checker};
 use crate::check::document::unreadable::faults;
 use crate::check::model::Model;
 use crate::check::model::meaning::Variable;
-use crate::check::unaided::guess::names::{Usage, names_of};
 use crate::check::unaided::guess::values::{self, Value as OneValue};
+use crate::check::usage::{Usage, names_of};
 
 /// How often the displays are read again with the names that were missing.
 const ROUNDS: usize = 12;

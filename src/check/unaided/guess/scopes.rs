@@ -9,8 +9,8 @@ use std::collections::HashSet;
 use std::ops::Range;
 
 use crate::check::document::setup::{Run, define_macros};
-use crate::check::unaided::guess::names::{Usage, names_of};
 use crate::check::unaided::scope::Scope;
+use crate::check::usage::{Usage, names_of};
 use crate::formula::symbols::Name;
 use crate::latex::Macros;
 use crate::notes::{Display, Notes};

@@ -4,7 +4,7 @@
 //! as one. So what the display says about it is known, and what stands inside it is not.
 
 use crate::check::document::unreadable::faults;
-use crate::check::unaided::guess::names::Usage;
+use crate::check::usage::Usage;
 use crate::code::Code;
 use crate::formula::symbols::Name;
 use crate::latex::layout::values::{ends_term, is_d, is_nabla, is_operator, is_value, is_vector, parts_of, text_of};

@@ -77,7 +77,9 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
             other_case: before.other_case,
         };
     }
-    let announced = match (says(ASSUMPTION), says(CONSEQUENCE)) {
+    // In English it is no word for what follows.
+    let is_german_also = sentence.trim().trim_end_matches([',', ':']) == "also";
+    let announced = match (says(ASSUMPTION), says(CONSEQUENCE) || is_german_also) {
         (true, _) => Announced::Assumption,
         (false, true) => Announced::Consequence,
         (false, false) => Announced::Nothing,

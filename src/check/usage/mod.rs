@@ -1,15 +1,17 @@
 //! The names in the displays of a document, and how they stand there: with dots, under a root, in a sine.
 
+mod differentials;
+
 use crate::formula::symbols::Name;
 use crate::latex::layout::{Delimiter, Item, Layout, typeset_items};
 use crate::latex::{Macros, names};
 use crate::notes::Display;
 
-use super::differentials::{contents, differential_of, is_by_time, is_differential, is_factor, is_letter_d, is_mark};
+use differentials::{contents, differential_of, is_by_time, is_differential, is_factor, is_letter_d, is_mark};
 
 /// How a name stands in the displays of a document.
 #[derive(Clone, Debug)]
-pub(in crate::check) struct Usage {
+pub(crate) struct Usage {
     /// The name.
     pub name: Name,
     /// Whether it stands somewhere with a dot, or after d in d/dt.
@@ -64,7 +66,7 @@ struct Place {
 }
 
 /// All names of some displays, in the order of their first occurrence.
-pub(in crate::check) fn names_of(displays: &[Display], macros: &Macros) -> Vec<Usage> {
+pub(crate) fn names_of(displays: &[Display], macros: &Macros) -> Vec<Usage> {
     let (mut found, mut statements) = (Vec::new(), Vec::new());
     let mut valued: Vec<(Name, usize)> = Vec::new();
     for (at, display) in displays.iter().enumerate() {

@@ -1,0 +1,204 @@
+//! Claims that the words around a display make, where the claims file makes none: "the arms can stay at an angle $\theta_0$,
+//! where", "the frequency of small oscillations is", "is a constant of the motion".
+//!
+//! Each is added as if the author had written it into the claims file. It is kept where its displays pass with it, or where an
+//! edit makes them pass. Else the words mean something else, and the displays are judged without it. So no words make a right
+//! display wrong, unless a likely slip lies between it and what they say.
+//!
+//! | file | what it has |
+//! | --- | --- |
+//! | `words` | the sentence around a display |
+//! | `notes_names` | which names the displays have, and which of them are declared |
+//! | `places` | values of coordinates at rest or on a steady motion |
+//! | `frequencies` | frequencies and periods of small oscillations, secular equations |
+//! | `quantities` | effective potentials, and what is said to be conserved |
+//! | `constants` | names that only the prose introduces |
+//!
+//! Knows the whole check of a document, [`check_in`], and no notes without claims.
+
+mod constants;
+mod frequencies;
+mod notes_names;
+mod places;
+mod quantities;
+mod words;
+
+use crate::Result;
+use crate::latex::name_search;
+use crate::notes::Notes;
+use crate::notes::address::Address;
+use crate::notes::claims::{Claim, Claims, Declaration, Range, Role, Spanned};
+use crate::source::Span;
+
+use crate::check::document::checker::Checker;
+use crate::check::document::setup::{Run, with_checker};
+use crate::check::prose_claims::notes_names::NotesNames;
+use crate::check::run::check_in;
+use crate::check::sample::context::Options;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::report::{Document, Equation};
+
+/// What words make of some displays.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ProseClaim {
+    /// Constants, with their ranges.
+    constants: Vec<(String, Range)>,
+    /// What names mean, as under `means`.
+    means: Vec<(String, String)>,
+    /// Claims about displays, by their places.
+    claims: Vec<(usize, Claim)>,
+    /// The displays that must pass, by their places.
+    displays: Vec<usize>,
+    /// Whether one display that passes is enough, where none fails.
+    is_enough: bool,
+    /// What is said in the report.
+    why: String,
+}
+
+/// Checks a document by its claims and by those that its prose makes.
+///
+/// # Errors
+/// As [`check_in`].
+pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
+    let mut said = infer(claims, notes);
+    // Other displays decide what words mean too.
+    let whole = Run { only: None, ..*run };
+    let quiet = Run { progress: &(), ..whole };
+    let mut first = true;
+    while !said.is_empty() {
+        let this = if first { &whole } else { &quiet };
+        first = false;
+        // What cannot be checked with these claims is checked without.
+        let Ok(mut found) = check_in(this, &added(claims, notes, &said), notes) else { break };
+        let before = said.len();
+        said.retain(|claim| claim.stands(&found, notes));
+        if said.len() == before {
+            let with = added(claims, notes, &said);
+            if run.only.is_some() {
+                found = check_in(&Run { progress: &(), ..*run }, &with, notes)?;
+            }
+            found.inferred.extend(said.iter().map(|claim| claim.why.clone()).filter(|why| !why.is_empty()));
+            return Ok(found);
+        }
+    }
+    check_in(if first { run } else { &quiet }, claims, notes)
+}
+
+/// Guessed claims with those that the prose makes, as far as their displays pass with them or are refuted.
+pub(crate) fn with_guesses(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Claims {
+    let mut said = infer(claims, notes);
+    while !said.is_empty() {
+        let with = added(claims, notes, &said);
+        let tested = with_checker(run, &with, notes, |checker| {
+            let options = Options { explain: false, ..checker.options };
+            let checker = Checker { options, units: checker.units.clone(), ..checker };
+            let is_tested = |at: &usize| {
+                let found = checker.equation(*at, checker.assigned[*at]);
+                found.is_ok_and(|equation| {
+                    let finding = &equation.finding;
+                    (finding.verdict.passes() || finding.verdict == Verdict::Refuted)
+                        && !finding.is_untested_definition()
+                })
+            };
+            Ok(said.iter().map(|claim| claim.displays.iter().all(is_tested)).collect::<Vec<bool>>())
+        });
+        let Ok(tested) = tested else { break };
+        if tested.iter().all(|tested| *tested) {
+            return with;
+        }
+        let mut tested = tested.into_iter();
+        said.retain(|_| tested.next() == Some(true));
+    }
+    claims.clone()
+}
+
+/// The claims that the prose makes. There are none without a Lagrangian in the notes, which says what follows.
+pub(crate) fn infer(claims: &Claims, notes: &Notes) -> Vec<ProseClaim> {
+    let has_lagrangian = claims.system.is_none() && claims.means.iter().any(|(_, what)| what.value == "Lagrangian");
+    if !has_lagrangian {
+        return Vec::new();
+    }
+    let names = NotesNames::of(claims, notes);
+    let places = places::infer(&names);
+    let mut said = frequencies::infer(&names, &places);
+    said.extend(quantities::infer(&names));
+    if claims.guesses.is_none() {
+        said.extend(constants::infer(&names, &places));
+    }
+    said.extend(places.into_iter().map(|place| place.claim));
+    said
+}
+
+/// Claims with those that the prose makes.
+pub(crate) fn added(claims: &Claims, notes: &Notes, said: &[ProseClaim]) -> Claims {
+    let mut with = claims.clone();
+    for claim in said {
+        let is_it =
+            |one: &Declaration, name: &str| one.role == Role::Constant && name_search::same(&one.name.value, name);
+        // What the words mean is no guess.
+        with.declarations.retain(|one| !claim.means.iter().any(|(name, _)| is_it(one, name)));
+        for (name, range) in &claim.constants {
+            if with.declarations.iter().any(|one| is_it(one, name)) {
+                continue;
+            }
+            let range = spanned(range.clone());
+            with.declarations.push(Declaration {
+                role: Role::Constant,
+                name: spanned(name.clone()),
+                range,
+                is_formula: false,
+            });
+        }
+        with.means.extend(claim.means.iter().map(|(name, what)| (spanned(name.clone()), spanned(what.clone()))));
+        for (at, new) in &claim.claims {
+            let Some(id) = notes.equations[*at].id() else { continue };
+            match with.equations.iter_mut().find(|(address, _)| address.text == id) {
+                Some((_, known)) => join(known, new),
+                None => {
+                    let address = Address::parse(&spanned(id.to_owned()), &claims.source);
+                    with.equations.extend(address.ok().map(|address| (address, new.clone())));
+                }
+            }
+        }
+    }
+    with
+}
+
+/// Adds what a claim says to another one.
+fn join(known: &mut Claim, new: &Claim) {
+    let fresh = new.implied.iter().filter(|one| !known.implied.iter().any(|other| other.value == one.value));
+    let fresh: Vec<Spanned<String>> = fresh.cloned().collect();
+    known.implied.extend(fresh);
+    known.conserved = known.conserved.take().or_else(|| new.conserved.clone());
+    known.equilibrium = known.equilibrium.take().or_else(|| new.equilibrium.clone());
+    known.secular_for = known.secular_for.take().or_else(|| new.secular_for.clone());
+    if known.at.is_empty() {
+        known.at.clone_from(&new.at);
+    }
+}
+
+impl ProseClaim {
+    /// Whether its displays pass with it, or an edit of each makes them pass.
+    fn stands(&self, found: &Document, notes: &Notes) -> bool {
+        let equation = |at: &usize| {
+            let id = notes.equations[*at].id()?;
+            found.equations.iter().find(|equation| equation.id == id)
+        };
+        let findings: Vec<&Equation> = self.displays.iter().filter_map(equation).collect();
+        let is_refuted = |equation: &&Equation| matches!(equation.finding.verdict, Verdict::Refuted | Verdict::Domain);
+        let is_slip = |equation: &&Equation| is_refuted(equation) && !equation.repairs.is_empty();
+        let passes = |equation: &&Equation| equation.ok || equation.finding.is_untested_definition();
+        match self.is_enough {
+            true => {
+                findings.iter().any(passes)
+                    && findings.iter().all(|equation| !is_refuted(equation) || is_slip(equation))
+            }
+            false => findings.iter().all(|equation| passes(equation) || is_slip(equation)),
+        }
+    }
+}
+
+/// A value that stands nowhere in the claims file.
+fn spanned<T>(value: T) -> Spanned<T> {
+    Spanned::new(value, Span::default())
+}

@@ -1,0 +1,100 @@
+//! The names in the displays of notes beside what the claims file declares.
+
+use crate::formula::symbols::Name;
+use crate::latex::{Macros, name_search, names};
+use crate::notes::Notes;
+use crate::notes::claims::{Claims, Declaration, Role};
+
+use crate::check::document::setup::{assign, define_macros};
+use crate::check::prose_claims::words::Sentence;
+use crate::check::usage::{Usage, names_of};
+
+/// The names of notes, and the displays without a claim of their own.
+pub(super) struct NotesNames<'a> {
+    pub claims: &'a Claims,
+    pub notes: &'a Notes,
+    pub macros: Macros,
+    /// How each name stands in the displays.
+    pub usages: Vec<Usage>,
+    /// Whether each display is checked and has no claim of its own.
+    free: Vec<bool>,
+}
+
+impl<'a> NotesNames<'a> {
+    /// Those of some notes.
+    pub fn of(claims: &'a Claims, notes: &'a Notes) -> Self {
+        let mut macros = Macros::default();
+        define_macros(&notes.macros, &mut macros);
+        let usages = names_of(&notes.equations, &macros);
+        let assigned = assign(claims, notes).unwrap_or_default();
+        let is_free = |at: usize| notes.equations[at].id().is_some() && assigned.get(at).is_none_or(Option::is_none);
+        let free = (0..notes.equations.len()).map(is_free).collect();
+        NotesNames { claims, notes, macros, usages, free }
+    }
+
+    /// Whether a display is checked and has no claim of its own.
+    pub fn is_free(&self, at: usize) -> bool {
+        self.free[at]
+    }
+
+    /// The sentence before a display.
+    pub fn before(&self, at: usize) -> Sentence {
+        Sentence::before(self.notes, at)
+    }
+
+    /// Whether the claims file says what a name is. A guess that it is a constant says nothing.
+    pub fn is_declared(&self, name: &str) -> bool {
+        let claims = self.claims;
+        let is_said = |one: &&Declaration| claims.guesses.is_none() || one.role != Role::Constant;
+        let declared = claims.declarations.iter().filter(is_said).map(|declaration| &declaration.name);
+        let tied = claims.means.iter().chain(&claims.define).map(|(name, _)| name);
+        declared.chain(tied).any(|known| name_search::same(&known.value, name))
+    }
+
+    /// The coordinates, each with its name.
+    pub fn coordinates(&self) -> impl Iterator<Item = (&'a Declaration, Name)> {
+        let coordinates = self.claims.declarations.iter().filter(|one| one.role == Role::Coordinate);
+        coordinates.filter_map(|one| Some((one, names::parse(&one.name.value)?.0)))
+    }
+
+    /// The displays that mention a name, by their places.
+    pub fn displays_with(&self, name: &str) -> Vec<usize> {
+        let mentions = |at: &usize| {
+            let names = names_of(std::slice::from_ref(&self.notes.equations[*at]), &self.macros);
+            names.iter().any(|usage| name_search::same(&usage.name.to_string(), name))
+        };
+        (0..self.notes.equations.len()).filter(mentions).collect()
+    }
+
+    /// Whether a display mentions a name, with primes too.
+    pub fn mentions(&self, at: usize, name: &str) -> bool {
+        let Some((name, _)) = names::parse(name) else { return false };
+        let names = names_of(std::slice::from_ref(&self.notes.equations[at]), &self.macros);
+        names.iter().any(|usage| usage.name.base == name.base && usage.name.subscript == name.subscript)
+    }
+
+    /// Whether a coordinate, or its rate, stands in a display.
+    pub fn has_coordinates(&self, at: usize) -> bool {
+        let names = names_of(std::slice::from_ref(&self.notes.equations[at]), &self.macros);
+        let is_coordinate = |name: &Name| self.coordinates().any(|(_, known)| known == *name);
+        names.iter().any(|usage| usage.moves || is_coordinate(&usage.name))
+    }
+
+    /// Whether a display gives a name, or a power of it, a formula.
+    pub fn is_given_in(&self, at: usize, name: &str) -> bool {
+        name_search::is_a_side(&self.notes.equations[at].text, name, &self.macros)
+    }
+
+    /// Whether one of the displays does.
+    pub fn is_defined(&self, name: &str) -> bool {
+        (0..self.notes.equations.len()).any(|at| self.is_given_in(at, name))
+    }
+
+    /// The text of a display as a formula of a claims file; `None` where it is not one equality.
+    pub fn equality(&self, at: usize) -> Option<String> {
+        let text = self.notes.equations[at].text.trim().trim_end_matches([',', '.', ';']).trim();
+        let is_one =
+            text.matches('=').count() == 1 && !["\\quad", "\\\\", ",", "&"].iter().any(|mark| text.contains(mark));
+        is_one.then(|| text.to_owned())
+    }
+}

@@ -1,0 +1,70 @@
+//! The words and formulas of the sentence around a display.
+
+use crate::check::document::inferred::prose::{body_of, sentence_start, words_between};
+use crate::notes::Notes;
+
+/// The most bytes after a display that are taken for the end of its sentence.
+const LONGEST_END: usize = 160;
+
+/// The part of a sentence before a display, or after it.
+pub(super) struct Sentence {
+    words: Vec<String>,
+    /// The formulas in it, without their marks, in order.
+    pub formulas: Vec<String>,
+}
+
+impl Sentence {
+    /// The part before the `at`-th display.
+    pub fn before(notes: &Notes, at: usize) -> Self {
+        // A mark directly before the display ends no other sentence.
+        let text = &notes.source.text[..notes.equations[at].span.start];
+        let end = text.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, ':' | '.')).len();
+        Sentence::between(notes, sentence_start(notes, end), end)
+    }
+
+    /// The part after the `at`-th display; empty where the display ends the sentence.
+    pub fn after(notes: &Notes, at: usize) -> Self {
+        let display = &notes.equations[at];
+        let (text, from) = (&notes.source.text, display.span.end);
+        let mut to = text.len().min(from + LONGEST_END);
+        while !text.is_char_boundary(to) {
+            to += 1;
+        }
+        let next = notes.equations.iter().map(|other| other.span.start).filter(|start| *start >= from).min();
+        let to = to.min(next.unwrap_or(to));
+        let rest = &text[from..to];
+        let ends_before = display.text.trim_end().ends_with('.') || rest.trim_start().starts_with(char::is_uppercase);
+        let end = if ends_before { 0 } else { rest.find(['.', ';']).unwrap_or(rest.len()) };
+        Sentence::between(notes, from, from + end)
+    }
+
+    fn between(notes: &Notes, from: usize, to: usize) -> Self {
+        let inside = notes.inline.iter().filter(|span| span.start >= from && span.end <= to);
+        let formulas = inside.filter_map(|span| Some(notes.source.slice(body_of(notes, *span)?).trim().to_owned()));
+        Sentence { words: words_between(notes, from, to), formulas: formulas.collect() }
+    }
+
+    /// Whether there is neither a word nor a formula.
+    pub fn is_empty(&self) -> bool {
+        self.words.is_empty() && self.formulas.is_empty()
+    }
+
+    /// Whether a word begins with one of these letters.
+    pub fn says(&self, stems: &[&str]) -> bool {
+        self.words.iter().any(|word| stems.iter().any(|stem| word.starts_with(stem)))
+    }
+
+    /// Whether the words of one of these phrases follow each other; each is the beginning of a word.
+    pub fn says_phrase(&self, phrases: &[&str]) -> bool {
+        phrases.iter().any(|phrase| {
+            let stems: Vec<&str> = phrase.split(' ').collect();
+            self.words.windows(stems.len()).any(|words| words.iter().zip(&stems).all(|(w, stem)| w.starts_with(stem)))
+        })
+    }
+
+    /// Whether it denies or doubts something.
+    pub fn denies(&self) -> bool {
+        let doubt = ["not", "no", "never", "would", "cannot", "unless", "nicht", "kein", "pas", "non"];
+        self.words.iter().any(|word| doubt.contains(&word.as_str()))
+    }
+}

@@ -1,0 +1,197 @@
+//! Claims that the words around displays make, beside a claims file that declares no more than coordinates, constants and L.
+
+use onshell::Code;
+use onshell::check::{Document, Equation, Verdict};
+use onshell::systems::Registry;
+use serde_json::{Value as Json, json};
+
+use crate::support::document;
+
+/// A bead on a hoop that turns.
+const HOOP: &str = r"A bead of mass $m$ slides on a hoop of radius $a$, which turns about its vertical diameter.
+
+$$ L = \frac12 m a^2\left(\dot\theta^2 + \omega^2\sin^2\theta\right) + m g a\cos\theta \tag{1} $$
+
+There is an equilibrium at $\theta_0$ with
+
+$$ \cos\theta_0 = \frac{g}{a\omega^2} \tag{2} $$
+
+The frequency of small oscillations about it is
+
+$$ \Omega^2 = \omega^2\sin^2\theta_0 \tag{3} $$
+
+or
+
+$$ \Omega = \sqrt{\omega^2 - \frac{g^2}{a^2\omega^2}} \tag{4} $$
+";
+
+/// A particle in a bowl, and its circular motion.
+const BOWL: &str = r"$$ L = \frac12 m\left(\left(1 + \frac{r^2}{a^2}\right)\dot r^2 + r^2\dot\phi^2\right) - \frac{m g r^2}{2 a} \tag{1} $$
+
+The angular momentum is
+
+$$ \ell = \frac{\partial L}{\partial\dot\phi} = m r^2\dot\phi \tag{2} $$
+
+The particle can move on a horizontal circle of radius $r_0$ if
+
+$$ \ell^2 = \frac{m^2 g r_0^4}{a} \tag{3} $$
+
+It goes round with the angular velocity
+
+$$ \Omega = \frac{\ell}{m r_0^2} = \sqrt{\frac ga} \tag{4} $$
+
+The radius oscillates about $r_0$ with the frequency
+
+$$ \nu = \sqrt{\frac{4 g a}{a^2 + r_0^2}} \tag{5} $$
+";
+
+/// Two coupled oscillators, and an ion in a magnetic field: their frequencies.
+const PAIR: &str = r"$$ L = \frac12 m(\dot x^2 + \dot y^2) - \frac12 k(x^2 + y^2) - \frac12 c(x - y)^2 \tag{1} $$
+
+The secular equation is
+
+$$ (k + c - m\omega^2)^2 = c^2 \tag{2} $$
+
+The roots of the secular equation are
+
+$$ \omega_1^2 = \frac km, \qquad \omega_2^2 = \frac{k + 2c}{m} \tag{3} $$
+";
+
+const ION: &str = r"$$ L = \frac12 m(\dot x^2 + \dot y^2 + \dot z^2) + \frac12 m \beta(x\dot y - y\dot x) - \frac12 m k\left(z^2 - \frac12(x^2 + y^2)\right) \tag{1} $$
+
+The secular equation of the motion in the plane is
+
+$$ \left(\omega^2 + \frac12 k\right)^2 - \beta^2\omega^2 = 0 \tag{2} $$
+
+The positive roots of the secular equation are
+
+$$ \omega_\pm = \frac12\beta \pm \sqrt{\frac14\beta^2 - \frac12 k} \tag{3} $$
+
+They are real if the field is strong, and satisfy
+
+$$ \omega_+^2 + \omega_-^2 + k = \beta^2 \tag{4} $$
+";
+
+const PENDULUM: &str = r"$$ L = \frac12 m l^2\dot\theta^2 + m g l\cos\theta \tag{1} $$
+
+So
+
+$$ K = \dot\theta^2 - \frac{2g}{l}\cos\theta \tag{2} $$
+
+is a constant of the motion. The period of small oscillations is
+
+$$ T = 2\pi\sqrt{\frac lg} \tag{3} $$
+";
+
+fn claims(coordinates: &Json, constants: &str) -> Json {
+    json!({ "coordinates": coordinates, "constants": { constants: "> 0" }, "means": { "L": "Lagrangian" } })
+}
+
+fn checked(claims: &Json, notes: &str) -> Document {
+    document(claims, notes, &Registry::standard(), None).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn of<'d>(document: &'d Document, id: &str) -> &'d Equation {
+    document.equations.iter().find(|equation| equation.id == id).expect("the display is there")
+}
+
+/// A text without spaces, in print too.
+fn plain(text: &str) -> String {
+    text.replace(r"\,", "").split_whitespace().collect()
+}
+
+/// All displays pass, and each slip is refuted in its display, with the edit that undoes it among the first.
+fn passes_and_finds(claims: &Json, notes: &str, slips: &[(&str, &str, &str)]) {
+    let found = checked(claims, notes);
+    let wrong: Vec<_> = found.equations.iter().filter(|equation| !equation.ok).collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    for (id, right, slip) in slips {
+        assert_eq!(notes.matches(right).count(), 1, "{right}");
+        let found = checked(claims, &notes.replace(right, slip));
+        let equation = of(&found, id);
+        assert_eq!(equation.finding.verdict, Verdict::Refuted, "{slip}: {:?}", equation.finding);
+        let text = |repair: &onshell::check::Repair| {
+            let mut text = found.source.text.clone();
+            text.replace_range(repair.span.range(), &repair.replacement);
+            plain(&text)
+        };
+        let wanted = plain(notes);
+        assert!(equation.repairs.iter().any(|repair| text(repair) == wanted), "{slip}: {:#?}", equation.repairs);
+    }
+}
+
+#[test]
+fn a_place_of_rest_with_a_name_and_the_frequency_there() {
+    let claims = claims(&json!({ r"\theta": "angle" }), r"m, g, a, \omega");
+    let slips = [
+        ("2", r"\cos\theta_0 = \frac{g}{a\omega^2}", r"\cos\theta_0 = \frac{g}{a\omega}"),
+        ("3", r"\omega^2\sin^2\theta_0", r"\omega^2\sin\theta_0"),
+        ("4", r"\omega^2 - \frac{g^2}", r"\omega^2 + \frac{g^2}"),
+    ];
+    passes_and_finds(&claims, HOOP, &slips);
+}
+
+#[test]
+fn a_steady_motion_and_the_oscillations_about_it() {
+    let claims = claims(&json!({ "r": "> 0", r"\phi": "angle" }), "m, g, a");
+    let slips = [
+        ("3", r"\frac{m^2 g r_0^4}{a}", r"\frac{m^2 g r_0^3}{a}"),
+        ("4", r"\sqrt{\frac ga}", r"\sqrt{\frac{2g}a}"),
+        ("5", r"\frac{4 g a}", r"\frac{3 g a}"),
+    ];
+    passes_and_finds(&claims, BOWL, &slips[..1]);
+    passes_and_finds(&claims, BOWL, &slips[2..]);
+}
+
+#[test]
+fn secular_equations_and_their_roots() {
+    let slips =
+        [("2", r"(k + c - m\omega^2)^2", r"(k - c - m\omega^2)^2"), ("3", r"\frac{k + 2c}{m}", r"\frac{k + c}{m}")];
+    passes_and_finds(&claims(&json!({ "x, y": "any" }), "m, k, c"), PAIR, &slips);
+    // Forces that turn couple x and y; z has a determinant of its own.
+    let slips = [
+        ("2", r"\omega^2 + \frac12 k\right)^2", r"\omega^2 - \frac12 k\right)^2"),
+        ("3", r"\frac14\beta^2 - \frac12 k", r"\frac14\beta^2 - k"),
+    ];
+    passes_and_finds(&claims(&json!({ "x, y, z": "any" }), r"m, \beta, k"), ION, &slips);
+}
+
+#[test]
+fn constants_of_the_motion_and_periods() {
+    let claims = claims(&json!({ r"\theta": "angle" }), "m, g, l");
+    let slips = [("2", r"\frac{2g}{l}\cos", r"\frac{g}{l}\cos"), ("3", r"2\pi\sqrt{\frac lg}", r"2\pi\sqrt{\frac gl}")];
+    passes_and_finds(&claims, PENDULUM, &slips);
+}
+
+#[test]
+fn words_that_mean_something_else_make_nothing_wrong() {
+    let claims = claims(&json!({ r"\theta": "angle" }), r"m, g, a, \omega");
+    // The frequency of the drive is no frequency of small oscillations, and no edit makes it one.
+    let notes = HOOP.replace(
+        "The frequency of small oscillations about it is",
+        "The frequency of small oscillations of the motor is",
+    );
+    let notes = notes.replace(r"\Omega^2 = \omega^2\sin^2\theta_0", r"\Omega^2 = 7\omega^4 + 5\cos^3\theta_0");
+    let notes = notes.split("\nor\n").next().unwrap_or_default().to_owned();
+    let found = checked(&claims, &notes);
+    assert_ne!(of(&found, "3").finding.verdict, Verdict::Refuted, "{:?}", of(&found, "3").finding);
+    // Without the words a name that nobody declares stays a fault, as a slip of the pen may be.
+    let notes = HOOP.replace("There is an equilibrium at $\\theta_0$ with", "We have");
+    let found = checked(&claims, &notes);
+    assert_eq!(of(&found, "2").finding.code, Code::UndeclaredName);
+}
+
+#[test]
+fn a_definition_that_nothing_tests_passes_and_is_no_proof() {
+    let claims = claims(&json!({ r"\theta": "angle" }), "m, g, l");
+    let notes = r"$$ L = \frac12 m l^2\dot\theta^2 + m g l\cos\theta \tag{1} $$
+
+$$ S = m g l \sin\theta \tag{2} $$
+";
+    let found = checked(&claims, notes);
+    let last = of(&found, "2");
+    assert!(last.ok && last.finding.code == Code::DefinitionUnused, "{last:?}");
+    assert_eq!(last.finding.verdict, Verdict::Undecided);
+    let report = onshell::check::Report::new(vec![found]);
+    assert_eq!((report.exit_code(), report.strict_exit_code()), (0, 2));
+}
