@@ -223,7 +223,7 @@ impl Writer<'_> {
             let is_enclosed = template.split('#').nth(at).is_some_and(|before| before.ends_with('('));
             let is_raised = at == 0 && template.starts_with('#') && !template.ends_with('#');
             // Statements of which one holds.
-            let is_whole = template.contains("\\text{ ");
+            let is_whole = ["\\text{ ", " \\lor ", " \\vee "].iter().any(|word| template.contains(word));
             let outer = match (is_raised, is_fraction && !is_enclosed || is_open(at)) {
                 _ if is_whole => 0,
                 (true, _) => 3,

@@ -29,6 +29,11 @@ pub(super) fn alternatives(items: &[&Item]) -> Vec<Range<usize>> {
     found
 }
 
+/// Whether alternatives begin with the word, so that the first of them stands before these items.
+pub(super) fn are_open(items: &[&Item]) -> bool {
+    !items.is_empty() && is_or(items, 0)
+}
+
 /// Where the alternatives before a word begin; `None` where the word belongs to a condition.
 fn start_after(items: &[&Item], at: usize, last: Option<usize>) -> Option<usize> {
     let mut start = at;

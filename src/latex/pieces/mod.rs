@@ -18,7 +18,7 @@ use crate::source::Fault;
 use super::layout::{Delimiter, Item, Layout};
 use super::lexer::Space;
 use super::rows::{Row, is_operator, is_sign, is_significant, relation, rows};
-use alternatives::alternatives;
+use alternatives::{alternatives, are_open};
 use conditions::{begins_condition, ends_condition, is_comparison, is_pause};
 use remarks::{is_aside, is_remark};
 use separators::{joins, separates, spelled_constant};
@@ -225,7 +225,7 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
 fn one_of_several<'a>(items: &[&'a Item], row: usize, is_abstract: bool, before: Option<&mut Piece<'a>>) -> Piece<'a> {
     let mut piece = Piece { has_alternatives: true, ..Piece::new(row) };
     piece.links.push(Link { relation: None, items: items.to_vec() });
-    let is_open = items.first().is_some_and(|first| matches!(first.layout, Layout::Text(_)));
+    let is_open = are_open(items);
     if is_open || !is_abstract {
         let what = "one of these alternatives holds, and the others may not; alternatives are not supported";
         let fault = |span| Fault::unsupported(span, what).help("write only the case that is meant");

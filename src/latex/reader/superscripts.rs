@@ -158,7 +158,7 @@ impl Reader<'_> {
             let (_, below) = self.name_of(base);
             let above = &found.name.subscript;
             if !above.is_empty() && !below.is_empty() && below != above.as_slice() {
-                return Err(Fault::ambiguous(span, "what stands above may be an index or a power")
+                return Err(Fault::ambiguous(span, "what stands above may be indices, a label or a power")
                     .help("write indices as a subscript; write a power as (x_1)^{n_2}"));
             }
         }

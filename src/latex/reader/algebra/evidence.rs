@@ -164,11 +164,18 @@ fn of_eigenvectors(solid: &[&Item], at: usize) -> Option<Name> {
     let [first, second] = &solid[start..at] else { return None };
     let (matrix, vector) = (plain(first)?, plain(second)?);
     let (last, others) = solid[at + 1..end].split_last()?;
-    let is_value = matches!(others, [value] if plain(value).is_some_and(|value| value != matrix));
-    let is_vector =
-        is_bold(&vector) || vector.base.starts_with("\\vec{") || matches!(vector.base.as_bytes(), [b'a'..=b'z']);
-    let is_matrix = is_capital(&matrix) && !is_greek_capital(&matrix.base);
-    (is_matrix && is_value && is_vector && plain(last)? == vector).then_some(matrix)
+    let [value] = others else { return None };
+    let value = plain(value)?;
+    // Beside plain letters only an eigenvalue says so: `M g = m g` is about two masses.
+    let is_eigenvalue = ["\\lambda", "\\mu"].contains(&value.base.as_str());
+    let is_wave = ["\\psi", "\\Psi"].contains(&vector.base.as_str());
+    let is_vector = is_bold(&vector)
+        || vector.base.starts_with("\\vec{")
+        || is_wave
+        || is_eigenvalue && matches!(vector.base.as_bytes(), [b'a'..=b'z']);
+    let is_twin = value.base.eq_ignore_ascii_case(&matrix.base);
+    let is_matrix = is_capital(&matrix) && !is_greek_capital(&matrix.base) && !is_twin;
+    (is_matrix && is_vector && plain(last)? == vector).then_some(matrix)
 }
 
 fn is_bold_item(item: &Item) -> bool {

@@ -96,7 +96,9 @@ impl Reader<'_> {
     ) -> Read<Option<Expr>> {
         let Some((fence, inside)) = items.get(*cursor).and_then(parenthesis) else { return Ok(None) };
         let is_comma = |item: &&Item| matches!(item.layout, Layout::Other(',' | ';'));
-        let is_place = |item: &&Item| self.lone_name(item).is_some() || is_comma(item) || is_zero(item);
+        // `y = k(0) + c` puts in a number.
+        let is_constant = ["k", "c", "b", "l"].contains(&self.symbols.entry(id).name.base.as_str());
+        let is_place = |item: &&Item| self.lone_name(item).is_some() || is_comma(item) || is_zero(item) && !is_constant;
         let is_list = inside.len() == 1 || inside.iter().any(is_comma);
         let entry = self.symbols.entry(id);
         // `y[p_z, z]` has a commutator in it.

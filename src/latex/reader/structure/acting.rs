@@ -23,12 +23,18 @@ pub(in super::super::super) fn note_acting(items: &[Item], inferred: &mut Inferr
     if found.has_states {
         found.names.extend(found.hamiltonians);
     }
+    // Where T stands elsewhere, a T above a letter may be a power.
+    if !found.has_t {
+        inferred.acting.extend(found.transposed);
+    }
     inferred.acting.extend(found.names);
 }
 
 #[derive(Default)]
 struct Found {
     names: Vec<Name>,
+    transposed: Vec<Name>,
+    has_t: bool,
     has_states: bool,
     hamiltonians: Vec<Name>,
 }
@@ -45,8 +51,9 @@ impl Found {
                 if name.base == "H" {
                     self.hamiltonians.push(name.clone());
                 }
+                self.has_t |= name == Name::plain("T");
                 if above(item).is_some_and(is_transpose) && next.is_some_and(|next| self::name(next).is_some()) {
-                    self.names.push(name.clone());
+                    self.transposed.push(name.clone());
                 }
                 let last = solid.get(at + 2).filter(|last| above(last).is_some_and(is_dagger));
                 if let (Some(middle), Some(last)) = (next.and_then(|next| self::name(next)), last)

@@ -309,7 +309,7 @@ fn sign(item: &Item, signs: &[&str]) -> bool {
 
 /// Whether a word is one of ordinary language, and neither a name nor a unit.
 pub(in super::super::super) fn is_prose(word: &str) -> bool {
-    const WORDS: [&str; 44] = [
+    const WORDS: [&str; 45] = [
         "and",
         "or",
         "if",
@@ -354,6 +354,7 @@ pub(in super::super::super) fn is_prose(word: &str) -> bool {
         "an",
         "it",
         "therefore",
+        "either",
     ];
     WORDS.contains(&word.trim_matches(|c: char| !c.is_alphabetic()).to_ascii_lowercase().as_str())
 }
