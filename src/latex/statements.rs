@@ -5,7 +5,7 @@
 //! whole member is defined by the statement ([`super::definitions`]).
 
 use crate::formula::shape::{self, Shape, Type};
-use crate::formula::symbols::{Kind, SymbolId, Symbols};
+use crate::formula::symbols::{Kind, Name, SymbolId, Symbols};
 use crate::formula::tree::{Expr, IndexId, Relation, Sign, Statement};
 use crate::formula::units::in_si::has_units;
 use crate::source::{Fault, Span};
@@ -15,6 +15,7 @@ use super::inference::infer;
 use super::layout::rest::has_rest;
 use super::layout::{Item, Layout, typeset_items};
 use super::macros::Macros;
+use super::names;
 use super::pieces::{Piece, Printed, pieces, without_ranges};
 use super::reader::Reader;
 use super::reader::algebra::evidence;
@@ -113,6 +114,12 @@ fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
     reading
 }
 
+/// Whether a side is one name for several values, `s_{1,2}`, of which each sign gives one.
+fn names_several(items: &[Item]) -> bool {
+    let comma = |name: &Name| name.subscript.iter().any(|token| token == ",");
+    matches!(items, [only] if names::printed(only, None).is_some_and(|found| comma(&found.name)))
+}
+
 fn has_branch(item: &&Item) -> bool {
     fn inside(item: &Item) -> bool {
         match &item.layout {
@@ -186,7 +193,8 @@ impl Piece<'_> {
                 _ => None,
             };
             // What holds under a condition defines nothing, and neither does one sign of two.
-            let is_sure = conditions.is_empty() && (branch.is_none() || items.iter().any(|item| has_branch(&item)));
+            let is_sure = conditions.is_empty()
+                && (branch.is_none() || items.iter().any(|item| has_branch(&item)) || names_several(items));
             let found = place.filter(|_| is_sure).and_then(|place| Unknown::of(items, place, symbols, branch));
             read.push(match found {
                 Some(_) => None,

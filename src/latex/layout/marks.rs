@@ -29,7 +29,6 @@ pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
         }
         match &token.kind {
             TokenKind::Command(name) if name == "\\lvert" => open_bars += 1,
-            TokenKind::Command(name) if name == "\\left" => open_bars += usize::from(is(tokens.get(at + 1), "\\lvert")),
             // `\biggr\rvert_{x=a}`: nothing opens it.
             TokenKind::Command(name) if name == "\\rvert" => match open_bars.checked_sub(1) {
                 Some(less) => open_bars = less,

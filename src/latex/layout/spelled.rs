@@ -14,6 +14,12 @@ pub(super) fn with_commands(tokens: Vec<Token>) -> Vec<Token> {
     let mut found: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while at < tokens.len() {
+        // Words are no formulas.
+        if let Some(end) = end_of_words(&tokens[at..]) {
+            found.extend_from_slice(&tokens[at..at + end]);
+            at += end;
+            continue;
+        }
         // The letter directly after _ or ^ is all of the script.
         let is_script = at > 0 && matches!(tokens[at - 1].kind, TokenKind::Sub | TokenKind::Super);
         let length = if is_script { 0 } else { run(&tokens[at..]) };
@@ -35,6 +41,27 @@ pub(super) fn with_commands(tokens: Vec<Token>) -> Vec<Token> {
         at += length;
     }
     found
+}
+
+/// The number of tokens of a word in `\text{…}` or the like that begins here.
+fn end_of_words(tokens: &[Token]) -> Option<usize> {
+    let TokenKind::Command(name) = &tokens.first()?.kind else { return None };
+    let is_word = ["\\text", "\\mathrm", "\\operatorname", "\\label", "\\tag"].contains(&name.as_str());
+    if !is_word || tokens.get(1)?.kind != TokenKind::Open {
+        return None;
+    }
+    let mut depth = 0_usize;
+    for (at, token) in tokens.iter().enumerate().skip(1) {
+        match token.kind {
+            TokenKind::Open => depth += 1,
+            TokenKind::Close => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return Some(at + 1);
+        }
+    }
+    None
 }
 
 /// The number of letters side by side at the beginning.

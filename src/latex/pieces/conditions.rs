@@ -39,9 +39,18 @@ pub(super) fn ends_condition(items: &[&Item], at: usize) -> bool {
         }
         Layout::Other(';' | '.') => separates(items[at]) && !joins(items, at),
         Layout::Command(_) => separates(items[at]),
-        Layout::Text(word) => separates(items[at]) && word != "and",
+        Layout::Text(word) => separates(items[at]) && (word != "and" || is_after_a_region(items, at)),
+        Layout::Other(',') => is_after_a_region(items, at),
         _ => false,
     }
+}
+
+/// Whether a place without a comparison stands before another statement: `u = 0 \text{ on } \Gamma, v = 0 \text{ in } \Omega`.
+fn is_after_a_region(items: &[&Item], at: usize) -> bool {
+    let Some(word) = items[..at].iter().rposition(|item| begins_condition(item)) else { return false };
+    let is_place = matches!(&items[word].layout, Layout::Text(word) if matches!(word.as_str(), "at" | "on" | "in"));
+    let has_relation = |items: &[&Item]| items.iter().any(|item| relation(item).is_some());
+    is_place && !has_relation(&items[word..at]) && has_relation(&items[at + 1..])
 }
 
 pub(super) fn is_pause(item: &Item) -> bool {

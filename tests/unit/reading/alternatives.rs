@@ -42,7 +42,7 @@ fn alternatives_are_one_statement() {
         (r"x = 1, 2 \text{ or } 3", "x = 1, 2 or 3"),
         (r"x = 1, \quad x = 2 \quad\text{or}\quad x = 3", "x = 1, x = 2 or x = 3"),
         (r"x^2 = 4 \Rightarrow x = 2 \lor x = -2", "x^2 = 4 ¦ x = 2 ∨ x = −2"),
-        (r"\text{either } x = 1 \text{ or } x = 2", "either x = 1 or x = 2"),
+        (r"\text{either } x = 1 \text{ or } x = 2", "x = 1 or x = 2"),
         // Statements that all hold.
         (r"x = 4 \quad \text{and} \quad y = -1", "x = 4 ¦ y = −1"),
         (r"\sum_i P_i = 1 \text{ and } a = b", "Σ_{i}(P_i) = 1 ¦ a = b"),
@@ -82,6 +82,8 @@ fn a_place_is_a_condition() {
         (r"u = 1,\ v = 0 \quad \text{at} \quad y = 1", "u = 1 for y = 1 ¦ v = 0 for y = 1"),
         (r"\nabla \cdot \mathbf{u} = 0 \quad \text{ in } \Omega,", "∇·(u) = 0 in Ω"),
         (r"u = a \text{ on } \Gamma", "u = a on Γ"),
+        (r"u = a \text{ on } \Gamma, v = b \text{ in } \Omega", "u = a on Γ ¦ v = b in Ω"),
+        (r"u = a \text{ on } \Gamma \text{ and } v = b", "u = a on Γ ¦ v = b"),
         (r"T = 0 \text{ at } x = 0, x = L", "T = 0 at x=0,x=L"),
         (r"v = a \text{ for } t > 0, \quad w = b", "v = a for t > 0 ¦ w = b"),
         // A statement of its own.

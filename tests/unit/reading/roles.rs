@@ -99,6 +99,7 @@ fn letters_that_are_multiplied_in_one_order_are_no_numbers() {
         (r"\langle a|V|b\rangle = 0", "V"),
         (r"\rho = p|a\rangle\langle a|", r"\rho"),
         (r"\sigma = E \rho E^\dagger", r"\rho"),
+        (r"\mathbf{a} = M^{-1}(J^T\mathbf{F} - \mathbf{V})", "M"),
     ] {
         assert!(!is_number(latex, name), "{latex}");
     }
@@ -107,6 +108,7 @@ fn letters_that_are_multiplied_in_one_order_are_no_numbers() {
         (r"A\mathbf{v} = \lambda\mathbf{w}", "A"),
         (r"|\psi\rangle = c|\phi\rangle", "c"),
         ("[a + b]c = d", "a"),
+        (r"\mathbf{a} = M^{-1}\mathbf{F}", "M"),
     ] {
         assert!(is_number(latex, name), "{latex}");
     }
@@ -139,6 +141,8 @@ fn functions_without_a_backslash_before_a_parenthesis() {
         (r"\cos\Delta\theta_2 - a", "cos(Δθ_2) − a"),
     ]);
     are_refused(&["y = asin(x)", "y = sin x", "y = xlogx"]);
+    // A word in a subscript is a part of the name.
+    are_read(&[(r"T_{\text{log mean}} - T_{\text{mean}}", "T_{logmean} − T_{mean}")]);
 }
 
 #[test]

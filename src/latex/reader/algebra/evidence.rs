@@ -121,7 +121,7 @@ fn collect(items: &[Item], found: &mut Vec<(Name, Kind)>) {
         found.extend(of_eigenvectors(&solid, at).map(|name| (name, SQUARE)));
         if let (Some(Printed { name, sup: Some(sup), dots: 0 }), Some(next)) = (name_of(item), solid.get(at + 1))
             && is_capital(&name)
-            && (is_transpose(sup) && is_bold_item(next) || is_minus_one(sup) && has_bold(next))
+            && (is_transpose(sup) && is_bold_item(next) || is_minus_one(sup) && has_transposed(next))
         {
             found.push((name, SQUARE));
         }
@@ -182,12 +182,10 @@ fn is_bold_item(item: &Item) -> bool {
     name_of(item).is_some_and(|found| is_bold(&found.name) || found.name.base.starts_with("\\vec{"))
 }
 
-/// A vector, or one in a parenthesis.
-fn has_bold(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Fence(_, inside) => inside.iter().any(is_bold_item),
-        _ => is_bold_item(item),
-    }
+/// A parenthesis in which a letter is transposed, `M^{-1}(J^T\mathbf{F} - \mathbf{V})`. Before a vector alone M may be a mass.
+fn has_transposed(item: &Item) -> bool {
+    let is_one = |item: &Item| name_of(item).is_some_and(|found| found.sup.is_some_and(is_transpose));
+    matches!(&item.layout, Layout::Fence(_, inside) if inside.iter().any(is_one))
 }
 
 /// The first letter that must be a matrix though the table has it as a number, where the declarations are guesses.

@@ -149,7 +149,12 @@ impl Reader<'_> {
                 || matches!(&item.layout, Layout::Text(word) if is_prose(word))
                 || sign(item, &["\\lor", "\\vee"])
         };
-        self.divided(items, &divides, place)
+        let is_blank = |item: &Item| match &item.layout {
+            Layout::Text(word) => word == "either",
+            layout => matches!(layout, Layout::Space(_)),
+        };
+        let start = items.iter().position(|item| !is_blank(item)).unwrap_or(0);
+        self.divided(&items[start..], &divides, place)
     }
 
     fn divided(&mut self, items: &[Item], divides: &dyn Fn(&Item) -> bool, place: Span) -> Read<Expr> {
@@ -309,7 +314,7 @@ fn sign(item: &Item, signs: &[&str]) -> bool {
 
 /// Whether a word is one of ordinary language, and neither a name nor a unit.
 pub(in super::super::super) fn is_prose(word: &str) -> bool {
-    const WORDS: [&str; 45] = [
+    const WORDS: [&str; 44] = [
         "and",
         "or",
         "if",
@@ -354,7 +359,6 @@ pub(in super::super::super) fn is_prose(word: &str) -> bool {
         "an",
         "it",
         "therefore",
-        "either",
     ];
     WORDS.contains(&word.trim_matches(|c: char| !c.is_alphabetic()).to_ascii_lowercase().as_str())
 }
