@@ -81,6 +81,7 @@ fn d_is_a_factor_in_the_argument_of_a_function() {
     are_read(&[
         (r"u = a\sin(ay + dz) + \cos(ax + dy)", "u = a·sin(a·y + d·z) + cos(a·x + d·y)"),
         ("dE = T\\,dS - p\\,dV", "dE = T·dS − p·dV"),
+        (r"\sin(d\theta) \approx d\theta", "sin(dθ) ≈ dθ"),
     ]);
     are_refused(&[r"\cos\left(\frac{2\pi dx}{\lambda z}\right) = a"]);
 }

@@ -10,7 +10,7 @@ use super::super::items::{contents, differential, function_head, is_any_integral
 /// What a display shows about its d.
 #[derive(Default)]
 pub(in super::super::super) struct Evidence {
-    /// Whether a d before a letter stands in the argument of a function or in an exponent.
+    /// Whether a d before a letter stands among other factors in the argument of a function or in an exponent.
     pub is_in_a_function: bool,
     /// Whether it is a factor there.
     pub is_factor: bool,
@@ -29,11 +29,15 @@ impl Evidence {
     fn list(&mut self, items: &[Item], in_function: bool) {
         let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
         if in_function {
-            self.is_in_a_function |= (0..solid.len()).any(|at| is_product(&solid[at..], true));
             let terms: Vec<&[&Item]> = solid.split(|item| matches!(item.layout, Layout::Other('+' | '-'))).collect();
+            // `\sin d\theta` and `\cos(\theta + d\theta)` are of small angles.
+            let is_factor = |item: &&&Item| !matches!(item.layout, Layout::Number(_));
+            let has_d = |term: &[&Item]| (0..term.len()).any(|at| is_product(&term[at..], true));
+            let among_factors = terms.iter().any(|term| has_d(term) && term.iter().filter(is_factor).count() > 2);
             let with_d = terms.iter().any(|term| is_product(term, true) && term.len() == 2);
             let without = terms.iter().any(|term| is_product(term, false) && term.len() == 2);
             self.is_factor |= with_d && without;
+            self.is_in_a_function |= among_factors || with_d && without;
         }
         for (at, item) in solid.iter().enumerate() {
             self.has_integral |= is_any_integral(item);
