@@ -58,12 +58,10 @@ pub(super) fn is_aside(items: &[&Item], at: usize) -> bool {
         Layout::Fence(..) => is_last,
         // `\text{ by hypothesis}`, `\text{using the chain rule}`; spaces are left out of a text.
         Layout::Text(word) => {
-            let is_caption = word.starts_with('(') && word.ends_with(')');
-            is_last && is_caption
-                || is_last
-                    && ["by", "using", "from", "since"]
-                        .iter()
-                        .any(|first| word.len() > first.len() + 3 && word.starts_with(first))
+            is_last
+                && ["by", "using", "from", "since"]
+                    .iter()
+                    .any(|first| word.len() > first.len() + 3 && word.starts_with(first))
         }
         _ => false,
     }
