@@ -7,7 +7,7 @@ use serde_json::json;
 use crate::Error;
 use crate::check::define_macros;
 use crate::formula::symbols::Kind;
-use crate::formula::{Symbols, text};
+use crate::formula::{Statement, Symbols, text};
 use crate::latex::{Macros, read_display};
 use crate::notes::{MacroDefinition, definitions};
 use crate::report::{self, wrap};
@@ -34,10 +34,20 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     define_macros(&definitions, &mut macros);
     let reading = read_display(&without(&definitions, &arguments.formula), &mut symbols, &macros);
     let source = Arc::new(Source::new("formula", arguments.formula.as_str()));
-    let (mut statements, mut errors) = (Vec::new(), Vec::new());
+    let (mut statements, mut errors): (Vec<String>, _) = (Vec::new(), Vec::new());
+    let mut before: Option<Statement> = None;
     for statement in reading.statements {
         match statement {
-            Ok(statement) => statements.push(text::statement(&statement, &symbols)),
+            Ok(statement) => {
+                let text = text::statement(&statement, &symbols);
+                match (&before, statements.last_mut()) {
+                    (Some(before), Some(last)) if statement.is_alternative_to(before) => {
+                        last.push_str(&format!(" or {text}"));
+                    }
+                    _ => statements.push(text),
+                }
+                before = Some(statement);
+            }
             Err(fault) => errors.push(Error::fault(&source, fault)),
         }
     }

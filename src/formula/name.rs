@@ -145,6 +145,10 @@ pub struct Inferred {
     pub charge: bool,
     /// Whether states of quantum mechanics stand in the display, beside which i is √−1.
     pub has_states: bool,
+    /// The letters that act on states or are multiplied in one order only.
+    pub acting: HashSet<Name>,
+    /// Whether d is a factor, since it stands beside other factors in the argument of a function.
+    pub has_factor_d: bool,
     /// Whether a T above a letter is a transpose.
     pub has_transposes: bool,
     /// Each inference in words.

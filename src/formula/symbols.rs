@@ -126,6 +126,8 @@ pub struct Symbols {
     pub imaginary: Vec<Name>,
     /// Whether the display that is being read shows that i is √−1.
     pub imaginary_here: bool,
+    /// Whether the display that is read leaves no doubt that j is √−1, as engineers write it.
+    pub imaginary_j_here: bool,
     /// Whether an unknown name is added as a real number (formulas without a file). If false, it is a fault
     /// (documents).
     pub open: bool,

@@ -21,7 +21,10 @@ pub fn statement(statement: &Statement, symbols: &Symbols) -> String {
         text.push_str(" is constant");
     }
     if !statement.conditions.is_empty() {
-        text.push_str(&format!(" for {}", Writer { symbols }.conditions(&statement.conditions)));
+        let conditions = Writer { symbols }.conditions(&statement.conditions);
+        // `\text{in } \Omega` is shown with its own word.
+        let has_word = ["in ", "on ", "at ", "for "].iter().any(|word| conditions.starts_with(word));
+        text.push_str(&format!("{}{conditions}", if has_word { " " } else { " for " }));
     }
     text
 }
@@ -219,7 +222,10 @@ impl Writer<'_> {
         for (at, argument) in arguments.iter().enumerate() {
             let is_enclosed = template.split('#').nth(at).is_some_and(|before| before.ends_with('('));
             let is_raised = at == 0 && template.starts_with('#') && !template.ends_with('#');
+            // Statements of which one holds.
+            let is_whole = ["\\text{ ", " \\lor ", " \\vee "].iter().any(|word| template.contains(word));
             let outer = match (is_raised, is_fraction && !is_enclosed || is_open(at)) {
+                _ if is_whole => 0,
                 (true, _) => 3,
                 (false, true) => 2,
                 (false, false) => 0,

@@ -253,6 +253,18 @@ pub struct Statement {
     pub span: Span,
 }
 
+impl Statement {
+    /// Whether this and another are the two signs of a ± that stands on some sides only, as in `x = 3 \pm 2`: one of the two holds,
+    /// and perhaps not both.
+    pub fn is_alternative_to(&self, other: &Statement) -> bool {
+        let is_same = |(a, b): (&Expr, &Expr)| a == b;
+        self.span == other.span
+            && self.branch.zip(other.branch).is_some_and(|(a, b)| a != b)
+            && self.members.len() > 1
+            && self.members.iter().zip(&other.members).any(is_same)
+    }
+}
+
 impl Expr {
     /// A formula read at `span`.
     pub fn new(node: Node, span: Span) -> Self {

@@ -21,6 +21,7 @@ use super::names;
 use super::primed_names;
 use super::reader::items::{differential, is_integral, is_minus_one, is_transpose, whole_number};
 use super::reader::structure;
+use super::reader::undeclared::coefficient_d;
 
 /// Records in an open symbol table what the items of a display show.
 pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
@@ -28,6 +29,8 @@ pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
     let mut evidence = Evidence { is_abstract, time: symbols.time.clone(), ..Evidence::default() };
     evidence.list(items);
     evidence.at_the_same_place();
+    let factors_d = coefficient_d::of(items);
+    evidence.differentials.alone |= factors_d.is_in_a_function;
     let Evidence { mut functions, primed, letters, differentials, variations, matrices, .. } = evidence;
     symbols.inferred.letters.extend(letters);
     for name in
@@ -53,6 +56,10 @@ pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
             symbols.inferred.functions.insert(name, None);
         }
     }
+    symbols.inferred.has_factor_d = factors_d.is_factor && !factors_d.has_integral;
+    if symbols.inferred.has_factor_d {
+        symbols.inferred.said.push("d is a factor".to_owned());
+    }
     let Inferred { said, .. } = &mut symbols.inferred;
     if differentials.are_sure(if is_abstract { 1 } else { 2 }) {
         said.push("d before a letter is a differential".to_owned());
@@ -66,6 +73,7 @@ pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
     symbols.inferred.matrices.extend(matrices);
     if is_abstract {
         structure::note(items, &mut symbols.inferred);
+        structure::note_acting(items, &mut symbols.inferred);
         structure::note_indices(items, &mut symbols.inferred);
     }
 }
@@ -134,6 +142,14 @@ impl Evidence {
             let next = items.get(at + 1);
             in_integral |= is_integral(item);
             self.application(item, next);
+            // `(uv)' = u'v + uv'`: the prime of a product is a derivative, and those of its factors too.
+            if let Layout::Scripts { nucleus, primes: 1.., .. } = &item.layout
+                && let Layout::Fence(Delimiter::Round, inside) = &nucleus.layout
+                && inside.len() > 1
+            {
+                let names = inside.iter().filter_map(|item| names::printed(item, None)).map(|found| found.name);
+                self.primed.extend(names.filter(|name| name.primes == 0));
+            }
             if differential(item).is_some()
                 && let Some(found) =
                     next.and_then(|next| names::printed(next, None)).filter(|found| found.name.primes > 0)
@@ -230,8 +246,10 @@ impl Evidence {
             return;
         }
         let plain: Option<Vec<String>> = arguments.iter().map(|argument| self.plain(argument)).collect();
+        // Numbers are put in for letters too, `y = k(0) + c`; after these letters a 0 is no instant and no place.
+        let is_constant = ["k", "c", "b", "l"].contains(&name.base.as_str()) && delimiter == Delimiter::Round;
         let is_zero =
-            matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [zero] if whole_number(zero) == Some(0)));
+            matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [zero] if is_zero(zero) && !is_constant));
         // A function by its letter, whatever stands in the parenthesis.
         let is_powered = found.sup.is_some_and(|sup| whole_number(sup).is_some()) && !is_distribution;
         let is_usual = self.is_abstract
@@ -252,6 +270,9 @@ impl Evidence {
                     && plain.is_some()
                     && (is_greek || letter.chars().all(|c| c.is_uppercase() || !c.is_alphabetic()))
                     || name.base.starts_with("\\mathcal") && plain.is_some()
+                    || ["\\phi", "\\varphi"].contains(&name.base.as_str())
+                        && name.subscript.is_empty()
+                        && plain.as_ref().is_some_and(|plain| plain.concat().chars().all(char::is_uppercase))
             }
             _ => false,
         };
@@ -337,6 +358,17 @@ fn fence(item: &Item) -> Option<(Delimiter, &[Item])> {
 /// The bar of `P(A|B)`.
 fn is_given(item: &Item) -> bool {
     item.layout == Layout::Other('|') || matches!(&item.layout, Layout::Command(name) if name == "\\mid")
+}
+
+/// 0, and 0 from one side, `0^+`.
+fn is_zero(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => {
+            let side = super::reader::items::contents(sup);
+            whole_number(nucleus) == Some(0) && matches!(side, [Item { layout: Layout::Other('+' | '-'), .. }])
+        }
+        _ => whole_number(item) == Some(0),
+    }
 }
 
 fn is_comma(item: &Item) -> bool {

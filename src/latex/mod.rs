@@ -52,8 +52,6 @@ pub mod slips;
 #[cfg(feature = "notes")]
 pub mod statements;
 pub mod typeset;
-#[cfg(feature = "notes")]
-mod value_lists;
 
 #[cfg(feature = "notes")]
 pub use definitions::DefinedSymbol;

@@ -156,6 +156,13 @@ impl Found {
                 if names::printed(item, None).is_none() {
                     self.one(nucleus, None);
                 }
+                // `\left(x'\right)^\mu`
+                if let Layout::Fence(Delimiter::Round, inside) = &nucleus.layout
+                    && let [only] = inside.as_slice()
+                {
+                    let is_primed = names::printed(only, None).is_some_and(|found| found.name.primes == 1);
+                    self.has_index |= is_primed && sup.as_deref().is_some_and(is_greek);
+                }
                 if let Some(sup) = sup {
                     self.list(super::reader::items::contents(sup));
                 }

@@ -28,6 +28,14 @@ pub(super) struct Row<'a> {
 ///
 /// In a display that is read for its structure, such an environment may also be one row among others, or end a row.
 pub(super) fn rows(items: &[Item], is_abstract: bool) -> Vec<Row<'_>> {
+    // Braces around all there is: `{\displaystyle {\begin{aligned} … \end{aligned}}}`.
+    let is_solid = |item: &&Item| !matches!(item.layout, Layout::Space(_));
+    let mut solid = items.iter().filter(is_solid);
+    if let (Some(Item { layout: Layout::Group(inside), .. }), None) = (solid.next(), solid.next())
+        && !inside.is_empty()
+    {
+        return rows(inside, is_abstract);
+    }
     let cells: Vec<Vec<Vec<&Item>>> = match whole(items) {
         // `\begin{equation}\begin{split} … \end{split}\end{equation}`
         Some([row]) if matches!(row.as_slice(), [cell] if whole(cell).is_some()) => {

@@ -5,7 +5,7 @@
 //! whole member is defined by the statement ([`super::definitions`]).
 
 use crate::formula::shape::{self, Shape, Type};
-use crate::formula::symbols::{Kind, SymbolId, Symbols};
+use crate::formula::symbols::{Kind, Name, SymbolId, Symbols};
 use crate::formula::tree::{Expr, IndexId, Relation, Sign, Statement};
 use crate::formula::units::in_si::has_units;
 use crate::source::{Fault, Span};
@@ -15,7 +15,8 @@ use super::inference::infer;
 use super::layout::rest::has_rest;
 use super::layout::{Item, Layout, typeset_items};
 use super::macros::Macros;
-use super::pieces::{Piece, Printed, pieces};
+use super::names;
+use super::pieces::{Piece, Printed, pieces, without_ranges};
 use super::reader::Reader;
 use super::reader::algebra::evidence;
 use super::reader::structure::note_possible_indices;
@@ -63,6 +64,14 @@ fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
         symbols.inferred.active = true;
         infer(&items, symbols);
     }
+    if symbols.guessed
+        && let Some((span, name)) = evidence::taken_for_a_number(&items, symbols)
+    {
+        let what = format!("{name} may be a matrix: it multiplies the same letter as the other side does");
+        let help = format!("declare it in the claims file, \"{name}\": \"3x3 matrix\", or as a number");
+        reading.statements.push(Err(Fault::ambiguous(span, what).help(help)));
+        return reading;
+    }
     let mut pieces = pieces(&items, symbols.is_abstract());
     without_ranges(&mut pieces);
     if pieces.is_empty() {
@@ -105,45 +114,10 @@ fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
     reading
 }
 
-/// Leaves out the range of an index beside other statements, `k = 1, \dots, n` or `n = 1, 2, 3`, which states nothing.
-fn without_ranges(pieces: &mut Vec<Piece<'_>>) {
-    let mut first = 1;
-    while first < pieces.len() {
-        match range_length(&pieces[first..]) {
-            Some(length) => drop(pieces.drain(first..first + length)),
-            None => first += 1,
-        }
-    }
-}
-
-/// The number of pieces of the range that begins here: whole numbers in their order, or dots, which a last value may follow.
-fn range_length(pieces: &[Piece<'_>]) -> Option<usize> {
-    let only = |items: &[&Item]| match items {
-        [Item { layout: Layout::Number(digits), .. }] => digits.parse::<u32>().ok(),
-        _ => None,
-    };
-    let [name, value] = pieces.first()?.links.as_slice() else { return None };
-    let is_index = matches!(name.items.as_slice(), [Item { layout: Layout::Letter(_), .. }]);
-    let mut last = only(&value.items).filter(|_| is_index)?;
-    let mut length = 1;
-    let mut has_dots = false;
-    for piece in &pieces[1..] {
-        let [link] = piece.links.as_slice() else { break };
-        let is_dots = matches!(link.items.as_slice(), [Item { layout: Layout::Command(name), .. }] if name == "\\dots");
-        let next = only(&link.items);
-        match (has_dots, next) {
-            (false, _) if is_dots => has_dots = true,
-            (false, Some(number)) if number == last + 1 => last = number,
-            // `\dots, n`
-            (true, _) => {
-                length += 1;
-                break;
-            }
-            _ => break,
-        }
-        length += 1;
-    }
-    (has_dots || length > 1).then_some(length)
+/// Whether a side is one name for several values, `s_{1,2}`, of which each sign gives one.
+fn names_several(items: &[Item]) -> bool {
+    let comma = |name: &Name| name.subscript.iter().any(|token| token == ",");
+    matches!(items, [only] if names::printed(only, None).is_some_and(|found| comma(&found.name)))
 }
 
 fn has_branch(item: &&Item) -> bool {
@@ -169,6 +143,17 @@ impl Piece<'_> {
         let span = self.span();
         if let Some(fault) = &self.fault {
             return Err(fault.clone());
+        }
+        if self.has_alternatives {
+            let items: Vec<Item> = self.links.iter().flat_map(|link| &link.items).map(|item| (*item).clone()).collect();
+            let expr = Reader::new(symbols, branch).alternatives(&items, span)?;
+            let (relations, conditions) = (Vec::new(), Vec::new());
+            let members = vec![shape::bind(expr, symbols)?.0];
+            let constant = self.constant;
+            return Ok((
+                Statement { members, relations, conditions, constant, branch, row: self.row, span },
+                Vec::new(),
+            ));
         }
         let links: Vec<(Printed, Vec<Item>)> = self
             .links
@@ -207,9 +192,10 @@ impl Piece<'_> {
                 (1.., Some((Relation::Identical, _))) => Some(Place::AfterIdentical),
                 _ => None,
             };
-            // What holds under a condition defines nothing.
-            let found =
-                place.filter(|_| conditions.is_empty()).and_then(|place| Unknown::of(items, place, symbols, branch));
+            // What holds under a condition defines nothing, and neither does one sign of two.
+            let is_sure = conditions.is_empty()
+                && (branch.is_none() || items.iter().any(|item| has_branch(&item)) || names_several(items));
+            let found = place.filter(|_| is_sure).and_then(|place| Unknown::of(items, place, symbols, branch));
             read.push(match found {
                 Some(_) => None,
                 None => {

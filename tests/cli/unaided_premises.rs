@@ -242,3 +242,23 @@ fn a_step_of_a_chain_is_judged_beside_an_unknown_derivative() {
     assert_ne!(verdicts("slope", &slope(5))[0], "refuted");
     assert_eq!(verdicts("slope-slip", &slope(3))[0], "refuted");
 }
+
+#[test]
+fn what_may_not_hold_is_no_premise() {
+    let last = |name: &str, displays: &[&str]| {
+        let notes: String = displays.iter().map(|display| format!("$$ {display} $$\n\n")).collect();
+        verdicts(name, &notes).pop().unwrap_or_default()
+    };
+    let follows = |verdict: String| ["certified", "verified"].contains(&verdict.as_str());
+    let conclusion = "x + y = 9";
+    // One of two values, one of two statements, and a value at a place alone.
+    for first in [r"x = 3 \pm 2", r"x = 5 \quad\text{or}\quad x = -2", r"x = 5 \quad\text{at}\quad z = 1"] {
+        assert!(!follows(last("may-hold", &[first, "y = 4", conclusion])), "{first}");
+    }
+    for first in ["x = 3 + 2", "x = 5", r"x = 5, \quad z = 1"] {
+        assert!(follows(last("holds", &[first, "y = 4", conclusion])), "{first}");
+    }
+    // A matrix of an eigenvalue equation is no number.
+    assert!(!follows(last("matrix", &[r"A\mathbf{v} = \lambda\mathbf{v}", r"A = \lambda"])));
+    assert!(follows(last("number", &[r"a x = \lambda x", r"a = \lambda"])));
+}

@@ -3,6 +3,8 @@
 
 #[path = "reading/algebra.rs"]
 mod algebra;
+#[path = "reading/alternatives.rs"]
+mod alternatives;
 #[path = "reading/derivatives.rs"]
 mod derivatives;
 #[path = "reading/derived.rs"]
@@ -21,6 +23,8 @@ mod notes;
 mod particles;
 #[path = "reading/quantities.rs"]
 mod quantities;
+#[path = "reading/roles.rs"]
+mod roles;
 #[path = "reading/structure.rs"]
 mod structure;
 

@@ -8,8 +8,10 @@ use super::super::macros::Macros;
 use super::super::normalize::normalized;
 use super::item::Item;
 use super::lengths::with_plain_spaces;
+use super::marks::with_plain_marks;
 use super::parser::layout;
 use super::rest::with_rests;
+use super::spelled::with_commands;
 
 /// The layout of a text, with its macros expanded and legacy commands normalized.
 ///
@@ -22,7 +24,8 @@ pub(crate) fn typeset_items(text: &str, macros: &Macros) -> Result<Vec<Item>, Fa
             .code(Code::TooLarge)
             .help("split it into several equations"));
     }
-    let items = layout(&normalized(with_plain_spaces(with_ellipses(macros.expand(tokens(text))?))), text.len());
+    let tokens = with_plain_spaces(with_ellipses(macros.expand(tokens(text))?));
+    let items = layout(&normalized(with_commands(with_plain_marks(tokens))), text.len());
     Ok(with_rests(macros.values.named(items)))
 }
 

@@ -158,6 +158,17 @@ impl Reader<'_> {
                     return Err(Fault::ambiguous(span, "braces do not print, so {a b}^2 may be (a b)^2 or a b^2")
                         .help("use parentheses"));
                 }
+                // Nobody puts parentheses around a name below an index: `(x_2)^{n_1}`.
+                let is_enclosed = matches!(nucleus.layout, Layout::Fence(Delimiter::Round, _));
+                let is_name = |sup: &Item| {
+                    names::printed(sup, None)
+                        .is_some_and(|found| found.sup.is_none() && !found.name.subscript.is_empty())
+                };
+                let is_plain = base.as_plain_symbol().is_some() && self.shape_of(&base)? == Shape::Scalar;
+                if is_enclosed && is_plain && is_name(sup) {
+                    let exponent = self.item(sup)?;
+                    return Ok(Expr::new(Node::Power(Box::new(base), Box::new(exponent)), span));
+                }
                 self.raised(base, sup, span)
             }
             Layout::Scripts { nucleus, sub, .. } => match (&nucleus.layout, sub) {

@@ -7,7 +7,7 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::lexer::Space;
-use super::super::names;
+use super::super::names::{self, Printed};
 use super::algebra::operator_word;
 use super::items::{
     Joint, area_function, function_head, head_word, is_number, is_numeric, is_numeric_item, joint, reciprocal,
@@ -169,7 +169,12 @@ impl Reader<'_> {
                 }
                 continue;
             }
-            let Some(printed) = names::printed(item, self.branch) else { break };
+            let Some(mut printed) = names::printed(item, self.branch) else { break };
+            // `\cos\Delta\theta`: Δ and its letter are one symbol.
+            if let Some(difference) = self.difference(item, items.get(run.end + 1)) {
+                printed = difference;
+                run.end += 1;
+            }
             if printed.dots > 0 && run.end > start {
                 break;
             }
@@ -211,6 +216,16 @@ impl Reader<'_> {
             run.stands_alone = true;
         }
         Ok(run)
+    }
+
+    /// The symbol that Δ and the letter after it are, where Δ is no quantity of its own.
+    fn difference<'i>(&self, mark: &Item, next: Option<&'i Item>) -> Option<Printed<'i>> {
+        let is_difference = mark.layout == Layout::Command("\\Delta".to_owned());
+        let is_alone =
+            self.symbols.inferred.has_difference_alone || self.symbols.find(&Name::plain("\\Delta")).is_some();
+        let mut printed = names::printed(next.filter(|_| is_difference && !is_alone)?, self.branch)?;
+        printed.name.base = format!("\\Delta {}", printed.name.base);
+        Some(printed)
     }
 
     fn is_leading_number(&self, item: &Item, is_first: bool) -> bool {

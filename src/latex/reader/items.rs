@@ -50,6 +50,18 @@ pub(in super::super) fn contents(item: &Item) -> &[Item] {
     }
 }
 
+/// The lists of items directly inside an item.
+pub(super) fn parts(item: &Item) -> Vec<&[Item]> {
+    match &item.layout {
+        Layout::Group(items) | Layout::Fence(_, items) => vec![items],
+        Layout::Fraction(a, b) => vec![contents(a), contents(b)],
+        Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => vec![contents(a)],
+        Layout::Scripts { nucleus, .. } => vec![contents(nucleus)],
+        Layout::Environment(_, rows) => rows.iter().flatten().map(Vec::as_slice).collect(),
+        _ => Vec::new(),
+    }
+}
+
 /// The whole number that an item is.
 pub(in super::super) fn whole_number(item: &Item) -> Option<u32> {
     match contents(item) {

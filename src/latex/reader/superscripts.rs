@@ -120,8 +120,19 @@ impl Reader<'_> {
         }
         match marks.as_slice() {
             [Item { layout: Layout::Command(name), .. }]
-                if ["\\dagger", "\\ddagger", "\\circ", "\\ast", "\\star", "\\perp", "\\parallel", "\\pm", "\\mp"]
-                    .contains(&name.as_str()) =>
+                if [
+                    "\\prime",
+                    "\\dagger",
+                    "\\ddagger",
+                    "\\circ",
+                    "\\ast",
+                    "\\star",
+                    "\\perp",
+                    "\\parallel",
+                    "\\pm",
+                    "\\mp",
+                ]
+                .contains(&name.as_str()) =>
             {
                 return Err(mark(sup.span));
             }
@@ -138,6 +149,18 @@ impl Reader<'_> {
                 return Err(label(sup.span));
             }
             _ => {}
+        }
+        // `\Gamma^{r_t}_{\theta_t\theta_t}`; but `p_i^{n_i}` is a power for each i.
+        if let [only] = marks.as_slice()
+            && let Some(found) = names::printed(only, None).filter(|found| found.sup.is_none())
+            && (self.symbols.open || self.symbols.guessed)
+        {
+            let (_, below) = self.name_of(base);
+            let above = &found.name.subscript;
+            if !above.is_empty() && !below.is_empty() && below != above.as_slice() {
+                return Err(Fault::ambiguous(span, "what stands above may be indices, a label or a power")
+                    .help("write indices as a subscript; write a power as (x_1)^{n_2}"));
+            }
         }
         let letters: Option<Vec<String>> = marks.iter().map(|item| letter(item)).collect();
         let letters = letters.unwrap_or_default();

@@ -40,7 +40,16 @@ impl Reader<'_> {
         let mut pending: Option<(Sign, Span)> = None;
         while at < items.len() {
             if let Some(sign) = self.sign(&items[at])? {
-                if let Some((_, first)) = pending {
+                if let Some((before, first)) = pending {
+                    // `a + -b` with a space; `+-` is ± as often.
+                    if (before, sign) == (Sign::Plus, Sign::Minus)
+                        && first.end < items[at].span.start
+                        && !terms.is_empty()
+                    {
+                        pending = Some((sign, items[at].span));
+                        at += 1;
+                        continue;
+                    }
                     return Err(Fault::new(first.to(items[at].span), "two signs stand side by side"));
                 }
                 pending = Some((sign, items[at].span));

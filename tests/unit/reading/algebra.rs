@@ -60,7 +60,9 @@ fn i_is_the_imaginary_unit_where_nothing_else_is_meant() {
     // The index of a sum is no √−1.
     is_read(r"\sum_{i=1}^{3} e^{i x}", "Σ_{i=1}^{3}(e^(i·x))", &[]);
     is_read(r"\psi^* \psi = |\psi|^2", "conj(ψ)·ψ = |ψ|^2", &[("ψ", Kind::Complex)]);
-    is_refused(&["V = i R", "i = 3 x", "m_i e^{i k}", "z^*", r"Z = R + j \omega L"]);
+    is_refused(&["V = i R", "i = 3 x", "m_i e^{i k}", "z^*", "e^{j x}", r"v_j = j \omega x_j"]);
+    // Before a frequency j is nothing else, unless it is an index.
+    is_read(r"Z = R + j \omega L", "Z = R + i·ω·L", &[("Z", Kind::Complex)]);
 }
 
 #[test]

@@ -131,7 +131,7 @@ fn lists_words_and_sides_that_are_not_printed() {
     are_read(&[
         ("n = 1, 2, \\dots", "n = 1, 2, …"),
         ("x, y > 0", "x, y > 0"),
-        ("x = 1 \\text{ or } x = 2", "x = 1 ¦ or ¦ x = 2"),
+        ("x = 1 \\text{ or } x = 2", "x = 1 or x = 2"),
         ("= m a", "… = m·a"),
         ("n! = n (n-1)!", "n! = n·(n − 1)!"),
         ("\\underbrace{a + b}_{c} d", "⏟{a + b}_{c}·d"),

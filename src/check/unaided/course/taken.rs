@@ -36,6 +36,10 @@ impl Course<'_, '_> {
         else {
             return;
         };
+        // Of `x = 3 \pm 2` one sign holds, so neither is known.
+        if statements.windows(2).any(|pair| pair[0].is_alternative_to(pair[1])) {
+            return;
+        }
         let is_inline = inline::is_inline(self.checker.notes, display);
         // What is constant has a rate of 0.
         if let [statement] = statements.as_slice()

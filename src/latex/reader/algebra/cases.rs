@@ -1,6 +1,6 @@
 //! `cases`: a value for each condition; and the conditions that stand after a statement.
 
-use crate::formula::tree::{Branch, Condition, Expr, Node};
+use crate::formula::tree::{Branch, Condition, Expr, Node, Relation};
 use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Delimiter, Item, Layout};
@@ -52,6 +52,12 @@ impl Reader<'_> {
                 "forall" | "forevery" | "foreach" | "forany" | "all" | "any" | "every" => break,
                 "if" | "for" | "when" | "where" | "with" | "in" | "provided" | "providedthat" | "whenever" | "as"
                 | "" => {}
+                // Of several places the condition is one, and no state is at all of them.
+                "at" | "on" if rest.iter().any(|item| item.layout == Layout::Other(',')) => {
+                    return Err(Fault::unsupported(items[0].span, "several places in one condition are not supported")
+                        .help("write the equation for each place"));
+                }
+                "at" | "on" => {}
                 _ => return Err(Fault::unsupported(items[0].span, format!("the condition “{word}” is not supported"))),
             }
             said = true;
@@ -72,6 +78,18 @@ impl Reader<'_> {
             && inside.iter().any(|item| relation(item).is_some())
         {
             items = trimmed(inside);
+        }
+        let or = items.iter().find(|item| {
+            matches!(&item.layout, Layout::Text(word) if word == "or")
+                || matches!(&item.layout, Layout::Command(name) if name == "\\lor" || name == "\\vee")
+        });
+        if let Some(or) = or {
+            return Err(Fault::unsupported(or.span, "alternatives in a condition are not supported")
+                .help("write a row or a statement for each of them"));
+        }
+        if let Some(comma) = outer_bounds(items) {
+            return Err(Fault::ambiguous(comma.span, "the comma between these conditions may mean “and” or “or”")
+                .help("write \\text{ and }, or a row for each condition"));
         }
         let mut conditions = Vec::new();
         for part in items.split(|item| {
@@ -94,6 +112,19 @@ impl Reader<'_> {
         }
         Ok(Stated::Holds(conditions))
     }
+}
+
+/// The comma of `x < a, x > b`: what lies below one bound lies above the other only if they cross, so “or” may be meant.
+fn outer_bounds(items: &[Item]) -> Option<&Item> {
+    let at = items.iter().position(|item| item.layout == Layout::Other(','))?;
+    let of = |part: &[Item]| match trimmed(part) {
+        [name, sign, _, ..] => Some((names::printed(name, None)?.name, relation(sign)?)),
+        _ => None,
+    };
+    let ((first, below), (second, above)) = (of(&items[..at])?, of(&items[at + 1..])?);
+    let is_outer = matches!(below, Relation::Less | Relation::LessEqual)
+        && matches!(above, Relation::Greater | Relation::GreaterEqual);
+    (first == second && is_outer).then_some(&items[at])
 }
 
 /// What a condition says.

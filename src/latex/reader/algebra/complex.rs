@@ -1,7 +1,7 @@
 //! The imaginary unit, real and imaginary parts, and conjugates.
 //!
 //! i is √−1 where it is declared, or where the display leaves no doubt ([`super::evidence`]) and i is not declared as
-//! something else. A star above a number, and a bar over it, are the conjugate where the number is complex.
+//! something else; so is j. A star above a number, and a bar over it, are the conjugate where the number is complex.
 
 use crate::formula::shape::Shape;
 use crate::formula::symbols::{Kind, Name};
@@ -56,6 +56,10 @@ impl Reader<'_> {
         let is_factor =
             self.symbols.is_abstract() && self.symbols.inferred.imaginary_factor && !self.bound.contains(&name.base);
         if is_bare && is_usual && is_factor {
+            return true;
+        }
+        let is_engineering = name.base == "j" && self.symbols.imaginary_j_here && !self.bound.contains(&name.base);
+        if is_bare && is_engineering && self.symbols.find(name).is_none() {
             return true;
         }
         is_bare

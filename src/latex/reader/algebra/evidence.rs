@@ -4,14 +4,16 @@
 //! A name is a matrix if it equals a written matrix, if it stands under `\det` or `\operatorname{tr}` and is bold or a
 //! capital, if it is a bold capital that is transposed, inverted or followed by another bold letter, or if it stands
 //! between x^T and x. The letter i is √−1 in the exponent of e, beside ħ, squared, or upright, unless it is an index
-//! somewhere in the display. So is an upright j.
+//! somewhere in the display. So is an upright j, and a j by the evidence of [`super::engineering`].
 
 use crate::formula::symbols::{Kind, Name, Symbols};
+use crate::source::Span;
 
 use super::super::super::layout::{Item, Layout};
 use super::super::super::names::{self, Printed};
 use super::super::super::rows::relation;
-use super::super::items::{contents, is_minus_one, is_transpose};
+use super::super::items::{contents, is_minus_one, is_transpose, parts};
+use super::engineering;
 use super::matrices::operator_word;
 
 /// Notes in the table what a display says of its letters.
@@ -20,6 +22,7 @@ pub fn note(items: &[Item], symbols: &mut Symbols) {
     let is_direction = has_upright(items, 'i') && has_upright(items, 'j');
     symbols.imaginary_here = !is_direction && has_imaginary_unit(items);
     symbols.inferred.imaginary_factor = !is_direction && is_evident(items);
+    symbols.imaginary_j_here = engineering::is_imaginary(items) && !symbols.imaginary_here;
     if !symbols.open {
         return;
     }
@@ -54,7 +57,12 @@ fn is_bold(name: &Name) -> bool {
 /// A capital Latin letter, bold perhaps.
 fn is_capital(name: &Name) -> bool {
     let letter = name.base.strip_prefix("\\mathbf{").and_then(|base| base.strip_suffix('}')).unwrap_or(&name.base);
-    matches!(letter.as_bytes(), [b'A'..=b'Z'])
+    matches!(letter.as_bytes(), [b'A'..=b'Z']) || is_greek_capital(letter)
+}
+
+/// Λ and its like, which stand for matrices too.
+fn is_greek_capital(letter: &str) -> bool {
+    ["\\Lambda", "\\Sigma", "\\Omega", "\\Gamma", "\\Phi", "\\Psi", "\\Theta"].contains(&letter)
 }
 
 fn collect(items: &[Item], found: &mut Vec<(Name, Kind)>) {
@@ -110,6 +118,13 @@ fn collect(items: &[Item], found: &mut Vec<(Name, Kind)>) {
             found.push((first.name, SQUARE));
         }
         quadratic_form(&solid[at..], found);
+        found.extend(of_eigenvectors(&solid, at).map(|name| (name, SQUARE)));
+        if let (Some(Printed { name, sup: Some(sup), dots: 0 }), Some(next)) = (name_of(item), solid.get(at + 1))
+            && is_capital(&name)
+            && (is_transpose(sup) && is_bold_item(next) || is_minus_one(sup) && has_transposed(next))
+        {
+            found.push((name, SQUARE));
+        }
         if let (Some(first), Some(second)) = (name_of(item), solid.get(at + 1).and_then(|next| name_of(next)))
             && ["z", "w"].contains(&first.name.base.as_str())
             && second.name.base == format!("\\bar{{{}}}", first.name.base)
@@ -138,6 +153,57 @@ fn collect(items: &[Item], found: &mut Vec<(Name, Kind)>) {
     }
 }
 
+/// The A of `A\mathbf{v} = \lambda\mathbf{v}`, at the relation: one capital before the same vector as on the other side, where no number
+/// of one letter would say anything.
+fn of_eigenvectors(solid: &[&Item], at: usize) -> Option<Name> {
+    relation(solid[at])?;
+    let plain =
+        |item: &Item| name_of(item).filter(|found| found.sup.is_none() && found.dots == 0).map(|found| found.name);
+    let start = solid[..at].iter().rposition(|item| is_break(item)).map_or(0, |before| before + 1);
+    let end = solid[at + 1..].iter().position(|item| is_break(item)).map_or(solid.len(), |after| at + 1 + after);
+    let [first, second] = &solid[start..at] else { return None };
+    let (matrix, vector) = (plain(first)?, plain(second)?);
+    let (last, others) = solid[at + 1..end].split_last()?;
+    let [value] = others else { return None };
+    let value = plain(value)?;
+    // Beside plain letters only an eigenvalue says so: `M g = m g` is about two masses.
+    let is_eigenvalue = ["\\lambda", "\\mu"].contains(&value.base.as_str());
+    let is_wave = ["\\psi", "\\Psi"].contains(&vector.base.as_str());
+    let is_vector = is_bold(&vector)
+        || vector.base.starts_with("\\vec{")
+        || is_wave
+        || is_eigenvalue && matches!(vector.base.as_bytes(), [b'a'..=b'z']);
+    let is_twin = value.base.eq_ignore_ascii_case(&matrix.base);
+    let is_matrix = is_capital(&matrix) && !is_greek_capital(&matrix.base) && !is_twin;
+    (is_matrix && is_vector && plain(last)? == vector).then_some(matrix)
+}
+
+fn is_bold_item(item: &Item) -> bool {
+    name_of(item).is_some_and(|found| is_bold(&found.name) || found.name.base.starts_with("\\vec{"))
+}
+
+/// A parenthesis in which a letter is transposed, `M^{-1}(J^T\mathbf{F} - \mathbf{V})`. Before a vector alone M may be a mass.
+fn has_transposed(item: &Item) -> bool {
+    let is_one = |item: &Item| name_of(item).is_some_and(|found| found.sup.is_some_and(is_transpose));
+    matches!(&item.layout, Layout::Fence(_, inside) if inside.iter().any(is_one))
+}
+
+/// The first letter that must be a matrix though the table has it as a number, where the declarations are guesses.
+pub fn taken_for_a_number(items: &[Item], symbols: &Symbols) -> Option<(Span, Name)> {
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let is_number = |name: &Name| {
+        symbols.find(name).is_some_and(|(id, _)| {
+            let entry = symbols.entry(id);
+            entry.kind == Kind::Scalar && entry.definition.is_none()
+        })
+    };
+    let here = (1..solid.len()).find_map(|at| {
+        let name = of_eigenvectors(&solid, at).filter(is_number)?;
+        Some((solid[at - 1].span.to(solid[at].span), name))
+    });
+    here.or_else(|| items.iter().flat_map(parts).find_map(|part| taken_for_a_number(part, symbols)))
+}
+
 /// The star of a conjugate.
 fn is_star(sup: &Item) -> bool {
     match contents(sup) {
@@ -156,7 +222,9 @@ fn quadratic_form(items: &[&Item], found: &mut Vec<(Name, Kind)>) {
     let middle: Vec<Printed<'_>> = items[1..].iter().map_while(|item| name_of(item)).collect();
     let Some(end) = middle.iter().position(|printed| printed.name == name && printed.dots == dots) else { return };
     let between = &middle[..end];
-    if between.len() <= 2 && between.iter().all(|printed| printed.sup.is_none() && is_capital(&printed.name)) {
+    // `\Lambda^T \eta \Lambda`: between the capitals a small Greek letter is a matrix too.
+    let is_matrix = |of: &Name| is_capital(of) || is_capital(&name) && of.base.starts_with('\\');
+    if between.len() <= 2 && between.iter().all(|printed| printed.sup.is_none() && is_matrix(&printed.name)) {
         // `A^T A` and `A^T J A` of capitals: all of them are matrices.
         let kind = if is_capital(&name) { SQUARE } else { Kind::Vector };
         found.push((name, kind));
@@ -204,18 +272,6 @@ fn size(item: &Item) -> Option<(u8, u8)> {
 /// Whether an environment is a matrix.
 pub fn is_matrix(name: &str) -> bool {
     matches!(name, "pmatrix" | "bmatrix" | "matrix" | "array" | "smallmatrix" | "Bmatrix")
-}
-
-/// The lists of items directly inside an item.
-fn parts(item: &Item) -> Vec<&[Item]> {
-    match &item.layout {
-        Layout::Group(items) | Layout::Fence(_, items) => vec![items],
-        Layout::Fraction(a, b) => vec![contents(a), contents(b)],
-        Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => vec![contents(a)],
-        Layout::Scripts { nucleus, .. } => vec![contents(nucleus)],
-        Layout::Environment(_, rows) => rows.iter().flatten().map(Vec::as_slice).collect(),
-        _ => Vec::new(),
-    }
 }
 
 fn is_i(item: &Item) -> bool {

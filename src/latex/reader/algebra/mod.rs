@@ -7,11 +7,13 @@
 //! | `cases` | `cases`, and the conditions of a statement |
 //! | `brackets` | `[A, B]` of matrices |
 //! | `poisson` | `\{f, g\}`, `[f, g]_{q,p}` |
+//! | `engineering` | whether j is √−1 |
 //! | `evidence` | without declarations: which letters are vectors, matrices or complex, from what the display says |
 
 mod brackets;
 mod cases;
 mod complex;
+mod engineering;
 pub mod evidence;
 mod matrices;
 mod poisson;

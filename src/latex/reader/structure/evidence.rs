@@ -80,12 +80,12 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
             "\\tau",
         ];
         names::printed(item, None).is_some_and(|found| found.sup.is_none() && place.contains(&found.name.base.as_str()))
-            || matches!(&item.layout, Layout::Fence(..))
     };
     let is_part = |item: &Item| {
         is_place(item)
             || matches!(&item.layout, Layout::Other('+' | '-') | Layout::Number(_) | Layout::Space(_))
             || matches!(&item.layout, Layout::Command(name) if ["\\Delta", "\\delta", "\\pm"].contains(&name.as_str()))
+            || matches!(&item.layout, Layout::Fence(_, inner) if inner.iter().all(is_place))
             || names::printed(item, None).is_some_and(|found| {
                 ["h", "a", "T", "\\xi", "\\epsilon", "\\varepsilon", "c", "v"].contains(&found.name.base.as_str())
             })
@@ -95,6 +95,14 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
     let is_legendre = ["P", "J", "Y"].contains(&base) && !name.subscript.is_empty() && !is_ratio;
     // The gamma function has no argument that varies with the time: `i\Gamma(x/c - t)` is refused as k(x − ct) is.
     let is_rate = base == "\\Gamma" && inside.iter().any(is_time);
+    // One product in a parenthesis is a factor as often: `\rho(\xi^2 q)`.
+    let is_sum = inside.iter().skip(1).any(|item| matches!(item.layout, Layout::Other('+' | '-')));
+    let letters = inside.iter().filter(|item| names::printed(item, None).is_some()).count();
+    let is_argument = is_sum || letters < 2;
+    let has_place = inside.iter().any(|item| match &item.layout {
+        Layout::Fence(_, inner) => inner.iter().any(is_place),
+        _ => is_place(item),
+    });
     let is_known = always.contains(&base) && !is_rate || is_legendre || base.starts_with("\\mathcal{");
     // U_0 is the value of U at a place, and a factor: `U_0(1 - x/a)`, `V_0(x - a)^2`.
     let is_value = name.subscript == ["0"];
@@ -104,7 +112,8 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
             && base != "q"
             && base != "x"
             && inside.iter().all(is_part)
-            && inside.iter().any(is_place)
+            && has_place
+            && is_argument
         || ["q", "x", "y"].contains(&base) && inside.iter().all(is_part) && inside.iter().any(is_time)
 }
 

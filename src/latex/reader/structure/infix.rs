@@ -9,6 +9,7 @@ use super::super::super::names;
 use super::super::super::rows::relation;
 use super::super::items::{Joint, beside, contents};
 use super::super::state::{Read, Reader};
+use super::printed;
 
 /// Signs that bind as a product does.
 const PRODUCTS: [&str; 7] = ["\\otimes", "\\circ", "\\ast", "\\star", "\\odot", "\\bullet", "\\rtimes"];
@@ -70,6 +71,13 @@ impl Reader<'_> {
             )
             .help("write 1000 for the number, and a space after the comma of a list"));
         }
+        if let Some([first, .., last]) = items.windows(3).find(|three| is_comma_of_digits(three)) {
+            return Err(Fault::ambiguous(
+                first.span.to(last.span),
+                "the comma may be that of decimals, or divide thousands",
+            )
+            .help("write 2.897 for the decimals, and 2897 for the thousands"));
+        }
         if items.iter().any(is_comma) {
             return self.divided(items, &is_comma, place).map(Some);
         }
@@ -105,7 +113,23 @@ impl Reader<'_> {
 
     /// A condition that compares nothing, as it is printed.
     pub(in super::super::super) fn unread_condition(&mut self, items: &[Item], place: Span) -> Condition {
-        Condition { members: vec![self.label(items, place)], relations: Vec::new() }
+        let end = items.iter().rposition(|item| !matches!(item.layout, Layout::Space(_) | Layout::Other(',' | '.')));
+        let items = &items[..end.map_or(0, |end| end + 1)];
+        // Spaces are left out of a text.
+        let label = match items {
+            [Item { layout: Layout::Text(word), .. }, rest @ ..] if !rest.is_empty() => {
+                let words = match word.as_str() {
+                    "forall" => "for all",
+                    "forevery" => "for every",
+                    "foreach" => "for each",
+                    word => word,
+                };
+                let text = format!("{words}\\,{}", printed(rest));
+                self.template(&text, Vec::new(), place)
+            }
+            _ => self.label(items, place),
+        };
+        Condition { members: vec![label], relations: Vec::new() }
     }
 
     /// What stands over a brace: a formula, or formulas with relations between them.
@@ -117,6 +141,22 @@ impl Reader<'_> {
         }
     }
 
+    /// Statements or values of which one holds, `x = 1 \text{ or } x = 2`, with the signs and words between them.
+    pub(in super::super::super) fn alternatives(&mut self, items: &[Item], place: Span) -> Read<Expr> {
+        let divides = |item: &Item| {
+            relation(item).is_some()
+                || item.layout == Layout::Other(',')
+                || matches!(&item.layout, Layout::Text(word) if is_prose(word))
+                || sign(item, &["\\lor", "\\vee"])
+        };
+        let is_blank = |item: &Item| match &item.layout {
+            Layout::Text(word) => word == "either",
+            layout => matches!(layout, Layout::Space(_)),
+        };
+        let start = items.iter().position(|item| !is_blank(item)).unwrap_or(0);
+        self.divided(&items[start..], &divides, place)
+    }
+
     fn divided(&mut self, items: &[Item], divides: &dyn Fn(&Item) -> bool, place: Span) -> Read<Expr> {
         let mut template = String::from("#");
         let mut parts = Vec::new();
@@ -125,6 +165,7 @@ impl Reader<'_> {
                 Layout::Other(c @ (',' | ';')) => format!("{c} #"),
                 Layout::Other(c) => format!(" {c} #"),
                 Layout::Command(name) => format!(" {name} #"),
+                Layout::Text(word) => format!("\\text{{ {word} }}#"),
                 // `\xrightarrow{…}`
                 _ => " \\rightarrow #".to_owned(),
             });
@@ -225,6 +266,15 @@ fn joins_digits(items: &[Item], at: usize) -> bool {
         _ => false,
     };
     touches && is_part(at - 1, at + 1)
+}
+
+/// `2{,}897`
+fn is_comma_of_digits(items: &[Item]) -> bool {
+    let is_number = |item: &Item| matches!(item.layout, Layout::Number(_));
+    is_number(&items[0])
+        && is_number(&items[2])
+        && matches!(contents(&items[1]), [Item { layout: Layout::Other(','), .. }])
+        && matches!(items[1].layout, Layout::Group(_))
 }
 
 /// Capitals before a parenthesis: `SO(3)`, `SE(2)`.

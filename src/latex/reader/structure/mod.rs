@@ -7,6 +7,7 @@
 //!
 //! | file | what is read there |
 //! | --- | --- |
+//! | `acting` | letters that are operators or matrices, and no numbers |
 //! | `brackets` | states, mean values, commutators, Poisson brackets, tuples, intervals, sets |
 //! | `scripts` | indices, marks and labels above a symbol |
 //! | `operators` | derivatives by anything, ∂_μ and ∇ as operators, named functions |
@@ -17,6 +18,7 @@
 //!
 //! [`Symbols::may_be_abstract`]: crate::formula::Symbols::may_be_abstract
 
+mod acting;
 mod brackets;
 mod evidence;
 mod indices;
@@ -25,6 +27,7 @@ mod operators;
 mod repeated;
 mod scripts;
 
+pub(in super::super) use acting::note_acting;
 pub(in super::super) use evidence::{is_function_letter, note};
 pub(in super::super) use indices::{note_indices, note_possible_indices};
 pub(in super::super) use infix::is_prose;

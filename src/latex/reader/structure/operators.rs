@@ -230,9 +230,17 @@ impl Reader<'_> {
         let Some(next) = next.map(|at| *cursor + at).filter(|at| joint(&items[*at]).is_none()) else { return Ok(None) };
         *cursor = next;
         let (factor, _) = self.factor(items, cursor)?;
+        // `\partial_\lambda R^\mu{}_{\nu}` is the derivative of all of it.
+        let factor = self.with_what_follows(factor, items, cursor);
         let follows = items[*cursor..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
         let touches = items.get(*cursor).is_some_and(|item| !matches!(item.layout, Layout::Space(_)));
-        let is_name = follows.is_some_and(|item| names::printed(item, None).is_some());
+        // `\nabla\cdot\nu[\nabla u]`, `\nabla\cdot k\nabla T` too.
+        let is_factor = |item: &Item| match &item.layout {
+            Layout::Fence(delimiter, _) => matches!(delimiter, Delimiter::Round | Delimiter::Square),
+            Layout::Command(name) => name == "\\nabla",
+            _ => false,
+        };
+        let is_name = follows.is_some_and(|item| names::printed(item, None).is_some() || is_factor(item));
         if is_name && touches && !matches!(items[next].layout, Layout::Fence(..)) {
             return Err(Fault::ambiguous(
                 items[next].span.to(items[*cursor].span),

@@ -30,6 +30,7 @@ impl Reader<'_> {
                     || !is_number && self.is_index(sup)
                     || self.is_component(base, sup)
                     || self.has_subscript(base) && is_lone_letter(sup)
+                    || self.has_indices(base) && names::printed(sup, None).is_some_and(|found| found.sup.is_none())
                     || has_no_powers && (is_minus_one(sup) || whole_number(sup).is_none())
             }
         };
@@ -43,6 +44,17 @@ impl Reader<'_> {
             Node::Apply(id, _) => self.symbols.entry(*id).name.base.contains("#_{"),
             _ => false,
         }
+    }
+
+    /// Whether two letters stand below a base, Greek or with a subscript of their own: `\Gamma_{\theta_t\theta_t}`.
+    fn has_indices(&self, base: &Expr) -> bool {
+        let Node::Symbol { id, .. } = &base.node else { return false };
+        let subscript = &self.symbols.entry(*id).name.subscript;
+        let is_letter = |token: &String| token.starts_with(|c: char| c.is_alphabetic() || c == '\\');
+        let has_own = |at: usize| subscript.get(at + 1).is_some_and(|next| next == "_");
+        let is_index = |at: &usize| is_letter(&subscript[*at]) && (subscript[*at].starts_with('\\') || has_own(*at));
+        let is_nested = |at: &usize| at.checked_sub(1).is_some_and(|before| subscript[before] == "{");
+        (0..subscript.len()).filter(|at| is_index(at) && !is_nested(at)).count() > 1
     }
 
     /// `F^{i 0}`: letters and digits above a base, of which none can be a power beside the others.

@@ -28,6 +28,27 @@ impl Reader<'_> {
         if !self.is_inferred_function(&printed.name) {
             return Ok(None);
         }
+        // `f(x)_{max}`: the subscript belongs to the value.
+        if let Some(Item { layout: Layout::Scripts { nucleus, sub: Some(sub), sup, primes: 0 }, span: place }) =
+            items.get(*cursor)
+            && matches!(nucleus.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, _))
+        {
+            let whole = span.to(*place);
+            if !self.is_abstract() {
+                return Err(Fault::unsupported(whole, "a subscript on the value of a function is not supported")
+                    .help("write the subscript at the name, f_{max}"));
+            }
+            let bare = [(**nucleus).clone()];
+            let value = self.inferred_function(span, printed, &bare, &mut 0)?;
+            let Some(value) = value else { return Ok(None) };
+            *cursor += 1;
+            let below = super::super::structure::printed(super::super::items::contents(sub));
+            let value = self.template(&format!("#_{{{below}}}"), vec![value], whole);
+            return match sup {
+                Some(sup) => self.raised(value, sup, whole).map(Some),
+                None => Ok(Some(value)),
+            };
+        }
         let kind = if is_vectorial(&printed.name) { Kind::Vector } else { Kind::Scalar };
         let next = items.get(*cursor).and_then(|item| match &item.layout {
             Layout::Fence(Delimiter::Round | Delimiter::Square, inside) => Some((inside, None, item.span)),

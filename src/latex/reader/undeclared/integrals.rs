@@ -11,7 +11,8 @@ use super::super::super::layout::{Item, Layout};
 use super::super::super::names;
 use super::super::super::typeset;
 use super::super::items::{
-    beside, contents, differential, differential_of_many, extent, is_any_integral, is_integral, joint,
+    beside, contents, differential, differential_of_many, extent, is_any_integral, is_big_product, is_big_sum,
+    is_integral, joint,
 };
 use super::super::state::{Read, Reader};
 use super::super::structure::printed;
@@ -63,10 +64,12 @@ impl Reader<'_> {
                     + 1
                     + rest[at + 1..].iter().take_while(|item| matches!(item.layout, Layout::Space(_))).count()
                     + 1;
-                let end = end.min(rest.len());
+                // `\iint f\,du\,dv`: all that follow one another, where no outer integral has one of them.
+                let end = end_of_differentials(rest, end.min(rest.len()));
                 *cursor += end;
                 let last = rest[..at].iter().rev().find(|item| !matches!(item.layout, Layout::Space(_)));
-                if last.is_some_and(|last| joint(last).is_some()) {
+                let is_open = |last: &Item| joint(last).is_some() || is_big_product(last) || is_big_sum(last);
+                if last.is_some_and(is_open) {
                     return self.term(&rest[..end]);
                 }
                 let integrand = self.sum(&rest[..at], whole)?;
@@ -128,6 +131,23 @@ fn own_differential(rest: &[Item]) -> Option<usize> {
         }
     }
     None
+}
+
+/// Where the differentials end of which the first ends here.
+fn end_of_differentials(rest: &[Item], first: usize) -> usize {
+    let mut end = first;
+    loop {
+        let spaces =
+            |from: usize| rest[from..].iter().take_while(|item| matches!(item.layout, Layout::Space(_))).count();
+        let at = end + spaces(end);
+        let is_differential =
+            rest.get(at).is_some_and(|item| differential(item).is_some() || differential_of_many(item).is_some());
+        let name = if is_differential { at + 1 + spaces(at + 1) } else { rest.len() };
+        match rest.get(name) {
+            Some(next) if names::printed(next, None).is_some() => end = name + 1,
+            _ => return end,
+        }
+    }
 }
 
 /// Whether a differential stands in the numerator of a fraction, alone or as a factor.

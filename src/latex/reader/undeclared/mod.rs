@@ -7,6 +7,7 @@
 //! | file | what is read there |
 //! | --- | --- |
 //! | `functions` | `V(r)`, `V'(r)`, `x(0)`, `f(x + h)`, where the use of the name shows a function |
+//! | `coefficient_d` | whether d is a factor in a display, and no differential |
 //! | `sums` | `\sum`, `\prod`, `\lim`, `\dots` |
 //! | `integrals` | `\int`, `\oint`, differentials in the integrand |
 //! | `fields` | `\nabla` |
@@ -18,6 +19,7 @@ pub(in super::super) use marks::has_coefficient;
 pub(in super::super) use marks::note_marks;
 
 mod bars;
+pub(in super::super) mod coefficient_d;
 mod fields;
 mod functions;
 mod integrals;

@@ -1,5 +1,7 @@
 //! A printed name as a symbol of the symbol table, with its superscript and a following parenthesis.
 
+mod compound;
+
 use crate::formula::symbols::{Kind, Name, SymbolId};
 use crate::formula::tree::{Expr, Index, Node};
 use crate::source::{Fault, Span};
@@ -7,7 +9,7 @@ use crate::suggest::declaration;
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, Printed};
-use super::items::{contents, differential, differential_of_many, is_minus_one, is_transpose, whole_number};
+use super::items::{contents, is_minus_one, is_transpose, whole_number};
 use super::state::{Read, Reader};
 
 impl Reader<'_> {
@@ -39,7 +41,8 @@ impl Reader<'_> {
                     )
                     .help(format!("write \\exp(2) for the exponential, or {}", declaration("e", 0))));
                 }
-                if self.symbols.open && !self.symbols.imaginary.contains(&Name::plain("j")) && mentions_j(sup) {
+                let is_known = self.symbols.imaginary.contains(&Name::plain("j")) || self.symbols.imaginary_j_here;
+                if self.symbols.open && !is_known && mentions_j(sup) {
                     return Err(Fault::ambiguous(sup.span, "j in an exponent of e may be √−1 or a symbol")
                         .help("write i for √−1, or declare j as \"imaginary unit\" in a claims file; for a symbol, use another letter"));
                 }
@@ -195,7 +198,8 @@ impl Reader<'_> {
         let is_bound = self.bound.contains(&name.to_string());
         // `d^\dagger` is an operator.
         let is_bare = printed.sup.is_none_or(|sup| !matches!(contents(sup), [Item { layout: Layout::Command(_), .. }]));
-        if matches!(name.base.as_str(), "d" | "\\mathrm{d}") && name.subscript.is_empty() && next.is_some() && is_bare {
+        let is_d = matches!(name.base.as_str(), "d" | "\\mathrm{d}") && !self.symbols.inferred.has_factor_d;
+        if is_d && name.subscript.is_empty() && next.is_some() && is_bare {
             return Err(Fault::ambiguous(span, "d x may be a differential or the product of d and x")
                 .help("write \\frac{d}{dt} for a derivative, or use another letter for the factor"));
         }
@@ -219,7 +223,8 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(span, "j before a frequency may be √−1 or a symbol")
                 .help("write i for √−1, or declare j as \"imaginary unit\" in a claims file"));
         }
-        if self.is_abstract() && name.base.starts_with("\\mathrm{") {
+        let is_acting = self.symbols.inferred.acting.contains(name);
+        if self.is_abstract() && (name.base.starts_with("\\mathrm{") || is_acting) {
             let symbol = self.valueless(name.clone(), printed.dots, span)?;
             return match printed.sup {
                 Some(sup) => self.raised(symbol, sup, span),
@@ -348,86 +353,6 @@ impl Reader<'_> {
             Some(sup) => self.raised(applied, sup, span.to(*fence)),
             None => Ok(applied),
         }
-    }
-
-    /// `\Delta x` as one symbol, unless Δ itself is declared.
-    pub(super) fn compound(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
-        let Some(first) = items.get(*cursor) else { return Ok(None) };
-        let order = differential(first).filter(|_| self.symbols.infers() && self.symbols.inferred.differentials);
-        let inexact = is_inexact(first) && self.symbols.open;
-        let order = if inexact { Some(1) } else { order };
-        let many = differential_of_many(first).filter(|_| self.is_abstract());
-        let order = order.or(many.as_ref().map(|_| 0));
-        if let Some(varied) = self.varied(items, cursor)? {
-            return Ok(Some(varied));
-        }
-        let spaces = items[*cursor + 1..].iter().take_while(|item| matches!(item.layout, Layout::Space(_)));
-        let ahead = 1 + if order.is_some() { spaces.count() } else { 0 };
-        let Some(second) = items.get(*cursor + ahead) else { return Ok(None) };
-        let is_difference = matches!(&first.layout, Layout::Command(name) if name == "\\Delta" || name == "\\delta");
-        if is_difference && matches!(second.layout, Layout::Root(..)) && self.symbols.infers() && !self.is_abstract() {
-            return Err(Fault::ambiguous(
-                first.span.to(second.span),
-                "this may be the change of the root or a product with it",
-            )
-            .help("put parentheses around the root for the change, and \\cdot before it for a product"));
-        }
-        let Some(mut printed) = names::printed(second, self.branch).filter(|_| is_difference || order.is_some()) else {
-            return Ok(None);
-        };
-        let command = match (&first.layout, order) {
-            _ if inexact => "đ".to_owned(),
-            (_, Some(0)) => many.unwrap_or_default(),
-            (_, Some(1)) => "d".to_owned(),
-            (_, Some(order)) => format!("d^{{{order}}}"),
-            (Layout::Command(command), None) => command.clone(),
-            _ => return Ok(None),
-        };
-        let command = &command;
-        if order.is_some() {
-            printed.name.base = format!("{command}{}", printed.name.base);
-            *cursor += 1 + ahead;
-            // A parenthesis after a differential is another factor: `dx (a + b)`.
-            return self.symbol(first.span.to(second.span), printed, &[], &mut 0).map(Some);
-        }
-        if command == "\\delta" && self.symbols.inferred.has_coefficient && (self.symbols.open || self.symbols.guessed)
-        {
-            return Ok(None);
-        }
-        if self.symbols.find(&Name::plain(command)).is_some() && !self.is_abstract() {
-            match command.as_str() {
-                _ if !self.symbols.guessed => return Ok(None),
-                "\\delta" if !self.symbols.inferred.varies => return Ok(None),
-                "\\Delta" if self.symbols.inferred.has_difference_alone => {
-                    return Err(Fault::ambiguous(
-                        first.span.to(second.span),
-                        "\\Delta x may be a difference or the product of \\Delta and x",
-                    )
-                    .help("write \\Delta\\,x for the product, or another letter for the quantity \\Delta"));
-                }
-                _ => {}
-            }
-        }
-        if command == "\\delta" && self.symbols.open && !self.symbols.inferred.variations {
-            return Err(Fault::ambiguous(
-                first.span.to(second.span),
-                "\\delta x may be a variation of x or the product of \\delta and x",
-            ));
-        }
-        printed.name.base = format!("{command} {}", printed.name.base);
-        *cursor += 2;
-        self.symbol(first.span.to(second.span), printed, items, cursor).map(Some)
-    }
-}
-
-/// The mark of an inexact differential: đ, `\bar d`.
-fn is_inexact(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Other(c) => *c == 'đ',
-        Layout::Accent(accent, inner) => {
-            accent == "\\bar" && matches!(contents(inner), [only] if differential(only) == Some(1))
-        }
-        _ => false,
     }
 }
 

@@ -17,24 +17,22 @@
 //! power on the parenthesis, `m(l\omega)^2`. The usual names of functions, and names with a prime, are rejected before
 //! any parenthesis.
 
+mod inside;
+
 use crate::formula::SymbolId;
 use crate::formula::symbols::{Entry, Kind, Name};
-use crate::formula::tree::{Expr, Sign};
+use crate::formula::tree::Expr;
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
-use super::items::{differential, function_head, is_lone, is_numeric_item, starts_differential};
+use super::items::{differential, function_head, is_lone};
 use super::state::{Read, Reader};
-
-/// Letters that stand for functions more often than for factors before a parenthesis.
-const FUNCTIONS: [&str; 20] = [
-    "f", "F", "h", "V", "W", "J", "Y", "O", "P", "U", "H", "D", "d", "\\Gamma", "\\Phi", "\\Psi", "\\psi", "\\Theta",
-    "\\delta", "\\Delta",
-];
-
-/// Letters that usually depend on a place, `u(x + h)`.
-const FIELDS: [&str; 9] = ["y", "G", "u", "w", "\\phi", "\\varphi", "\\eta", "\\chi", "\\xi"];
+pub(super) use inside::are_names;
+use inside::{
+    FIELDS, has_nabla, has_rate, is_function, is_product_of_vectors, is_value, is_zero, may_be_an_argument, mentions,
+    parenthesis, relation_or_comma,
+};
 
 impl Reader<'_> {
     /// A symbol with its power. A parenthesis after it is a separate factor, unless it may be a function's argument.
@@ -98,7 +96,9 @@ impl Reader<'_> {
     ) -> Read<Option<Expr>> {
         let Some((fence, inside)) = items.get(*cursor).and_then(parenthesis) else { return Ok(None) };
         let is_comma = |item: &&Item| matches!(item.layout, Layout::Other(',' | ';'));
-        let is_place = |item: &&Item| self.lone_name(item).is_some() || is_comma(item) || is_zero(item);
+        // `y = k(0) + c` puts in a number.
+        let is_constant = ["k", "c", "b", "l"].contains(&self.symbols.entry(id).name.base.as_str());
+        let is_place = |item: &&Item| self.lone_name(item).is_some() || is_comma(item) || is_zero(item) && !is_constant;
         let is_list = inside.len() == 1 || inside.iter().any(is_comma);
         let entry = self.symbols.entry(id);
         // `y[p_z, z]` has a commutator in it.
@@ -115,7 +115,10 @@ impl Reader<'_> {
             && matches!(inside.as_slice(), [only] if self.lone_name(only).is_some())
             && !is_function(entry)
             && entry.name.base.chars().all(char::is_lowercase);
+        // `\Delta^{\nu\beta}(a + b)`: a letter with two indices is no function.
+        let has_indices = sup.is_some_and(|sup| self.is_index_of_several(sup)) && inside.len() > 1;
         let is_product = is_pair
+            || has_indices
             || is_bracketed
             || sup.is_some_and(super::items::is_transpose)
             || sup.is_some() && !is_function(entry) && inside.len() > 1
@@ -169,7 +172,29 @@ impl Reader<'_> {
             || self.is_inferred_function(&entry.name)
             || super::structure::is_function_letter(&entry.name, inside);
         let is_term = !inside.iter().skip(1).any(|item| self.is_sign(item) || relation_or_comma(item));
-        is_usual && is_term && !inside.is_empty() && !has_nabla(inside)
+        is_usual
+            && is_term
+            && !inside.is_empty()
+            && !has_nabla(inside)
+            && self.is_argument_by_its_letters(entry, inside)
+    }
+
+    /// Whether one term in a parenthesis is more likely an argument than a factor: not a product of letters of which none is a place, a
+    /// time or the like, and no number before a sum, `u(2(a + b))`. Of f nobody makes a product.
+    fn is_argument_by_its_letters(&self, entry: &Entry, inside: &[Item]) -> bool {
+        const USUAL: [&str; 18] = [
+            "x", "y", "z", "r", "t", "q", "s", "p", "k", "E", "T", "\\omega", "\\tau", "\\theta", "\\phi", "\\varphi",
+            "\\rho", "\\xi",
+        ];
+        let letters: Vec<Name> =
+            inside.iter().filter_map(|item| names::printed(item, self.branch)).map(|found| found.name).collect();
+        let is_bare = |base: &str| USUAL.iter().any(|usual| base == *usual || base.ends_with(&format!("{{{usual}}}")));
+        let has_usual = letters.iter().any(|name| is_bare(&name.base) && name.subscript.is_empty());
+        let has_sum = inside.iter().any(|item| {
+            matches!(&item.layout, Layout::Fence(_, inner) if inner.iter().skip(1).any(|item| self.is_sign(item)))
+        });
+        let is_sure = entry.name.base == "f" || self.is_inferred_function(&entry.name);
+        is_sure || !(has_sum && inside.len() > 1) && (letters.len() < 2 || has_usual)
     }
 
     /// Whether a parenthesis is the argument of a symbol and no factor: the time, or the declared argument.
@@ -268,6 +293,17 @@ impl Reader<'_> {
             Err(Fault::ambiguous(span, format!("{name}(…) may be a function or a product"))
                 .help("for a product, put a thin space \\, before the parenthesis"))
         };
+        // `x(-\cos x)`: nothing is a function of itself. A differential stands in no argument, `p(c\,dt)`.
+        let has_itself = inside.iter().any(|item| mentions(item, name)) && name.primes == 0;
+        let has_differential = self.symbols.infers()
+            && self.symbols.inferred.differentials
+            && inside
+                .windows(2)
+                .any(|pair| differential(pair[0]) == Some(1) && names::printed(pair[1], None).is_some());
+        let is_factor = !is_function(entry) && !FIELDS.contains(&name.base.as_str());
+        if self.symbols.open && is_factor && (has_itself || has_differential) {
+            return Ok(());
+        }
         // The Lorentz factor is no function of the place or the time.
         let is_lorentz =
             self.symbols.open && name.base == "\\gamma" && inside.iter().skip(1).any(|item| self.is_sign(item));
@@ -371,101 +407,4 @@ impl Reader<'_> {
         };
         FIELDS.contains(&name.base.as_str()) && inside.iter().any(is_place)
     }
-}
-
-/// A parenthesis, with a script perhaps, and what is in it without the spaces.
-fn parenthesis(item: &Item) -> Option<(&Item, Vec<&Item>)> {
-    let fence = match &item.layout {
-        Layout::Scripts { nucleus, .. } => nucleus,
-        _ => item,
-    };
-    let Layout::Fence(Delimiter::Round | Delimiter::Square | Delimiter::Curly, inside) = &fence.layout else {
-        return None;
-    };
-    Some((fence, inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect()))
-}
-
-/// Whether an item is a parenthesis with a list of names in it: the arguments of a function.
-pub(super) fn are_names(item: &Item, branch: Option<Sign>) -> bool {
-    let Some((_, inside)) = parenthesis(item) else { return false };
-    let is_name = |item: &Item| names::printed(item, branch).is_some_and(|printed| printed.sup.is_none());
-    let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
-    !inside.is_empty()
-        && inside.iter().enumerate().all(|(at, item)| if at % 2 == 0 { is_name(item) } else { is_comma(item) })
-}
-
-/// Whether one term in a parenthesis may be the argument of a name before it, where only guesses say what the name is:
-/// `F(1/u)`. What stands in the O of a remainder is one whatever it is.
-fn may_be_an_argument(entry: &Entry, inside: &[&Item], is_powered: bool) -> bool {
-    let base = entry.name.base.as_str();
-    let is_sign = |item: &&Item| matches!(item.layout, Layout::Other('+' | '-'));
-    let is_term = !inside.iter().skip(1).any(is_sign);
-    let is_letter = is_function(entry) || FIELDS.contains(&base);
-    let is_product = is_powered || inside.iter().any(|item| has_rate(item)) || is_product_of_vectors(inside);
-    let is_plain = entry.name.subscript.is_empty();
-    ["O", "\\mathcal{O}"].contains(&base) || is_plain && is_letter && is_term && !is_product
-}
-
-/// Whether a name usually stands for a function.
-fn is_function(entry: &Entry) -> bool {
-    let base = entry.name.base.as_str();
-    let is_ornate =
-        ["\\mathcal{", "\\mathscr{", "\\mathbb{", "\\mathfrak{"].iter().any(|style| base.starts_with(style));
-    entry.name.primes > 0 || FUNCTIONS.contains(&base) || is_ornate
-}
-
-fn relation_or_comma(item: &Item) -> bool {
-    matches!(item.layout, Layout::Other(',' | ';' | '=' | '<' | '>' | ':' | '|'))
-}
-
-fn is_zero(item: &Item) -> bool {
-    matches!(&item.layout, Layout::Number(digits) if digits == "0")
-}
-
-/// Whether an item is a part of a number: digits, π, a sign, a fraction of numbers.
-fn is_value(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Number(_) => true,
-        Layout::Other(c) => matches!(c, '+' | '-' | '/'),
-        Layout::Command(name) => name == "\\pi",
-        _ => is_numeric_item(item),
-    }
-}
-
-/// Whether ∇ stands in a parenthesis: what it makes of a field is no argument of a letter.
-fn has_nabla<'i>(inside: impl IntoIterator<Item = &'i Item>) -> bool {
-    inside.into_iter().any(|item| match &item.layout {
-        Layout::Command(name) => name == "\\nabla",
-        Layout::Scripts { nucleus, .. } => has_nabla([&**nucleus]),
-        Layout::Group(items) | Layout::Fence(_, items) => has_nabla(items),
-        _ => false,
-    })
-}
-
-/// Whether a dotted symbol or a derivative stands anywhere in an item.
-fn has_rate(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Accent(command, inner) => super::super::overdots::order(command).is_some() || has_rate(inner),
-        Layout::Fraction(above, below) => {
-            starts_differential(below) && differential_above(above) || has_rate(above) || has_rate(below)
-        }
-        Layout::Group(items) | Layout::Fence(_, items) => items.iter().any(has_rate),
-        Layout::Scripts { nucleus, .. } | Layout::Style(_, nucleus) | Layout::Root(_, nucleus) => has_rate(nucleus),
-        _ => false,
-    }
-}
-
-fn differential_above(above: &Item) -> bool {
-    super::items::contents(above).first().is_some_and(|first| differential(first).is_some())
-}
-
-/// Whether a product with × or · of names with an arrow or in bold stands in a parenthesis.
-fn is_product_of_vectors(inside: &[&Item]) -> bool {
-    let is_operator = |item: &Item| matches!(&item.layout, Layout::Command(name) if ["\\times", "\\wedge", "\\cdot"].contains(&name.as_str()));
-    let is_vector = |item: &Item| {
-        names::printed(item, None).is_some_and(|printed| {
-            ["\\vec{", "\\mathbf{", "\\hat{"].iter().any(|mark| printed.name.base.contains(mark))
-        })
-    };
-    inside.iter().any(|item| is_operator(item)) && inside.iter().filter(|item| is_vector(item)).count() > 1
 }

@@ -4,15 +4,28 @@
 //! relation or a sign continues the row before. Where it is not clear what a row continues, or what a comma or a point
 //! means, the part has a fault.
 
-use crate::formula::tree::Relation;
-use crate::source::{Fault, Span};
+mod alternatives;
+mod conditions;
+mod piece;
+mod ranges;
+mod remarks;
+mod separators;
+mod value_lists;
 
-use super::layout::{Delimiter, Item, Layout, latex};
+use crate::formula::tree::Relation;
+use crate::source::Fault;
+
+use super::layout::{Delimiter, Item, Layout};
 use super::lexer::Space;
-use super::reader::items::contents;
-use super::reader::structure::is_prose;
 use super::rows::{Row, is_operator, is_sign, is_significant, relation, rows};
-use super::{names, value_lists};
+use alternatives::{alternatives, are_open};
+use conditions::{begins_condition, ends_condition, is_comparison, is_pause};
+use remarks::{is_aside, is_remark};
+use separators::{joins, separates, spelled_constant};
+
+pub(super) use piece::{Link, Piece, Printed};
+pub(super) use ranges::without_ranges;
+pub use separators::says_constant;
 
 /// The statements of a display.
 ///
@@ -27,45 +40,19 @@ pub(super) fn pieces(items: &[Item], is_abstract: bool) -> Vec<Piece<'_>> {
         true => join_lists(&mut pieces),
         false => reject_lone_values(&mut pieces),
     }
+    share_conditions(&mut pieces);
     pieces
 }
 
-/// A statement as items: each member with the relation before it; the first has none.
-pub(super) struct Piece<'a> {
-    pub(super) links: Vec<Link<'a>>,
-    pub(super) constant: Option<Span>,
-    /// What stands after "for", "if" or "when", from that word on; and what stands in parentheses after a wide space.
-    pub(super) conditions: Vec<Vec<&'a Item>>,
-    pub(super) row: usize,
-    /// Why it cannot be read, whatever its items say.
-    pub(super) fault: Option<Fault>,
-    /// The comma that separates it from the part before it.
-    comma: Option<&'a Item>,
-}
-
-/// The relation before a member and its place; `None` before the first.
-pub(super) type Printed = Option<(Relation, Span)>;
-
-pub(super) struct Link<'a> {
-    pub(super) relation: Printed,
-    pub(super) items: Vec<&'a Item>,
-}
-
-impl Piece<'_> {
-    fn new(row: usize) -> Self {
-        Piece { links: Vec::new(), constant: None, conditions: Vec::new(), row, fault: None, comma: None }
-    }
-
-    fn ends_with_a_relation(&self) -> bool {
-        self.links.last().is_some_and(|link| link.relation.is_some() && link.items.is_empty())
-    }
-
-    /// Where it stands.
-    pub(super) fn span(&self) -> Span {
-        let spans = self.links.iter().flat_map(|link| {
-            link.relation.iter().map(|(_, span)| *span).chain(link.items.iter().map(|item| item.span))
-        });
-        spans.reduce(Span::to).unwrap_or_default()
+/// Gives what stands before a comma the condition of what stands behind it: both hold in `u = 1, v = 0 \text{ at } y = 1`
+/// under it, or nothing says that the first holds elsewhere.
+fn share_conditions(pieces: &mut [Piece<'_>]) {
+    for at in (1..pieces.len()).rev() {
+        let (before, after) = pieces.split_at_mut(at);
+        let (Some(before), Some(after)) = (before.last_mut(), after.first()) else { continue };
+        if after.comma.is_some() && before.row == after.row && before.conditions.is_empty() && before.links.len() > 1 {
+            before.conditions.clone_from(&after.conditions);
+        }
     }
 }
 
@@ -80,8 +67,16 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
         current = pieces.pop();
     }
     let items = row.items;
+    let alternatives = alternatives(&items);
     while at < items.len() {
         let item = items[at];
+        if let Some(place) = alternatives.iter().find(|place| place.start == at) {
+            pieces.extend(current.take());
+            let several = one_of_several(&items[place.clone()], number, is_abstract, pieces.last_mut());
+            pieces.push(several);
+            (comma, starts_row, at) = (None, false, place.end);
+            continue;
+        }
         let is_wide = matches!(item.layout, Layout::Space(Space::Wide));
         // Before a row it indents what goes on.
         if is_wide && starts_row {
@@ -125,6 +120,15 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
             piece.conditions.push(vec![items[at]]);
             at += 1;
             continue;
+        }
+        if is_arrow(item)
+            && let Some(piece) = current.as_mut().filter(|piece| piece.links.len() > 1)
+            && states_something(&items[at + 1..])
+        {
+            let what = "an arrow between equations may mean that one follows, or that one becomes the other";
+            let fault =
+                Fault::ambiguous(item.span, what).help("write \\Rightarrow, or each equation in a display of its own");
+            piece.fault.get_or_insert(fault);
         }
         if is_abstract && is_remark(&items, at) {
             pieces.extend(current.take());
@@ -203,7 +207,7 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
         if let Some(link) = piece.links.last_mut() {
             link.items.push(item);
         }
-        if is_number_of_the_row(&items, at - 1) {
+        if is_number_of_the_row(&items, at - 1) || is_number_before_a_row(&items, at - 1) {
             piece.fault = Some(
                 Fault::ambiguous(item.span, "this may be the number of the equation or a factor")
                     .help("write \\tag{…} for the number, or \\cdot before a factor"),
@@ -215,6 +219,22 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
     if let (Some(fault), Some(last)) = (unclear, pieces.last_mut()) {
         last.fault = Some(fault);
     }
+}
+
+/// Alternatives as one part. Where the first of them is in the row before, that row is none of its own either.
+fn one_of_several<'a>(items: &[&'a Item], row: usize, is_abstract: bool, before: Option<&mut Piece<'a>>) -> Piece<'a> {
+    let mut piece = Piece { has_alternatives: true, ..Piece::new(row) };
+    piece.links.push(Link { relation: None, items: items.to_vec() });
+    let is_open = are_open(items);
+    if is_open || !is_abstract {
+        let what = "one of these alternatives holds, and the others may not; alternatives are not supported";
+        let fault = |span| Fault::unsupported(span, what).help("write only the case that is meant");
+        if let Some(before) = before.filter(|_| is_open) {
+            before.fault = Some(fault(before.span()));
+        }
+        piece.fault = Some(fault(piece.span()));
+    }
+    piece
 }
 
 /// Whether a row continues the formula of the row before: that row ends with an operator, or this row starts with a
@@ -258,66 +278,6 @@ fn unclear_continuation(row: &Row<'_>, before: &Piece<'_>, pieces: &[Piece<'_>],
     })
 }
 
-/// Whether a comma or a point does not separate statements: `1,000`, `a.b`, `x + ... + y`.
-fn joins(items: &[&Item], at: usize) -> bool {
-    let before = at.checked_sub(1).map(|before| items[before]);
-    let after = items.get(at + 1).copied();
-    let is_number = |item: Option<&Item>| item.is_some_and(|item| matches!(item.layout, Layout::Number(_)));
-    let is_point = |item: Option<&Item>| item.is_some_and(|item| item.layout == Layout::Other('.'));
-    match items[at].layout {
-        Layout::Other(',') => {
-            let touches = after.is_some_and(|next| next.span.start == items[at].span.end);
-            touches && is_number(before) && is_number(after)
-        }
-        Layout::Other('.') => {
-            let rest = items[at + 1..].iter().find(|next| !matches!(next.layout, Layout::Space(Space::Thin)));
-            is_point(before) || is_point(after) || rest.is_some_and(|next| !separates(next))
-        }
-        _ => false,
-    }
-}
-
-/// Whether an item begins a condition: `\text{for}`, `\text{if}`, `\forall`.
-fn begins_condition(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Command(name) => name == "\\forall",
-        Layout::Text(word) => matches!(
-            word.trim_matches(|c: char| c == ',' || c == '.').to_ascii_lowercase().as_str(),
-            "for"
-                | "if"
-                | "when"
-                | "whenever"
-                | "provided"
-                | "providedthat"
-                | "forall"
-                | "forevery"
-                | "foreach"
-                | "forany"
-        ),
-        _ => false,
-    }
-}
-
-/// Whether a condition ends here: at a wide space, or at a comma or a word before something that compares nothing.
-fn ends_condition(items: &[&Item], at: usize) -> bool {
-    match &items[at].layout {
-        Layout::Space(Space::Wide) => items[at + 1..].iter().any(|next| !is_pause(next)),
-        Layout::Other(';' | '.') => separates(items[at]) && !joins(items, at),
-        Layout::Command(_) => separates(items[at]),
-        Layout::Text(word) => separates(items[at]) && word != "and",
-        _ => false,
-    }
-}
-
-fn is_pause(item: &Item) -> bool {
-    matches!(item.layout, Layout::Space(_) | Layout::Other(','))
-}
-
-/// Whether an item is a parenthesis with a comparison in it.
-fn is_comparison(item: &Item) -> bool {
-    matches!(&item.layout, Layout::Fence(Delimiter::Round, inside) if inside.iter().any(|item| relation(item).is_some()))
-}
-
 /// Whether the item is a whole number in parentheses at the end of the row, after a space: `F = ma \quad (2)`.
 fn is_number_of_the_row(items: &[&Item], at: usize) -> bool {
     let Layout::Fence(Delimiter::Round, inside) = &items[at].layout else { return false };
@@ -325,91 +285,6 @@ fn is_number_of_the_row(items: &[&Item], at: usize) -> bool {
     let after_space = at > 0 && matches!(items[at - 1].layout, Layout::Space(_));
     let is_last = items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_) | Layout::Other('.' | ',')));
     is_number && after_space && is_last
-}
-
-/// Whether an item is words that stand between formulas, and no name: no operator or relation is beside it.
-fn is_remark(items: &[&Item], at: usize) -> bool {
-    // `= 1.65\,\omega \ (\text{over the whole range})`
-    if let Layout::Fence(Delimiter::Round, inside) = &items[at].layout {
-        const LONG: usize = 10;
-        let is_phrase = |item: &Item| matches!(&item.layout, Layout::Text(word) if !is_unit(word) && (word.len() >= LONG || is_prose(word)));
-        let is_apart = at > 0 && matches!(items[at - 1].layout, Layout::Space(_));
-        return is_apart && inside.iter().any(is_phrase);
-    }
-    let word = match &items[at].layout {
-        Layout::Text(word) => word.clone(),
-        Layout::Style(style, inner) if style == "\\mathrm" => {
-            let word = latex(contents(inner));
-            if !is_prose(&word) {
-                return false;
-            }
-            word
-        }
-        _ => return false,
-    };
-    // `\text{Tr}(A)` is a function, `\mathrm{SO}(3)` a group.
-    let is_function = matches!(items.get(at + 1).map(|next| &next.layout), Some(Layout::Fence(Delimiter::Round, _)));
-    let is_capital = word.len() > 1 && word.chars().all(|c| c.is_ascii_uppercase());
-    if is_function && (is_capital || !is_prose(&word)) {
-        return false;
-    }
-    let number = items[..at].iter().rev().find(is_significant).is_some_and(|item| is_figure(item));
-    if number && is_unit(&word) {
-        return false;
-    }
-    let bound = |item: &&Item| is_operator(item) || relation(item).is_some();
-    let beside = |mut near: std::iter::Skip<std::slice::Iter<'_, &Item>>| near.find(is_significant).is_some_and(bound);
-    let before = items[..at].iter().rev().find(is_significant).is_some_and(bound);
-    !word.is_empty()
-        && says_constant(items[at]).is_none()
-        && !begins_condition(items[at])
-        && !before
-        && !beside(items.iter().skip(at + 1))
-}
-
-/// Whether a remark only explains: words in parentheses, or words at the end of a row that restrict nothing.
-fn is_aside(items: &[&Item], at: usize) -> bool {
-    if at == 0 {
-        return false;
-    }
-    let is_last = items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_) | Layout::Other('.' | ',')));
-    match &items[at].layout {
-        Layout::Fence(..) => is_last,
-        // `\text{ by hypothesis}`, `\text{using the chain rule}`; spaces are left out of a text.
-        Layout::Text(word) => {
-            is_last
-                && ["by", "using", "from", "since"]
-                    .iter()
-                    .any(|first| word.len() > first.len() + 3 && word.starts_with(first))
-        }
-        _ => false,
-    }
-}
-
-/// A number, or a power of one.
-fn is_figure(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Number(digits) => digits != "0",
-        Layout::Scripts { nucleus, sub: None, sup: Some(_), .. } => matches!(nucleus.layout, Layout::Number(_)),
-        _ => false,
-    }
-}
-
-/// Whether a word after a number is a unit, and no remark: `m/s`, `eV`, `days`.
-fn is_unit(word: &str) -> bool {
-    const UNITS: [&str; 59] = [
-        "m", "cm", "mm", "km", "nm", "fm", "pm", "s", "ms", "ns", "min", "h", "kg", "g", "mg", "N", "kN", "J", "kJ",
-        "MJ", "W", "kW", "MW", "eV", "keV", "MeV", "GeV", "TeV", "K", "Pa", "kPa", "MPa", "bar", "atm", "Hz", "kHz",
-        "MHz", "GHz", "V", "kV", "A", "mA", "T", "C", "mol", "rad", "sr", "deg", "days", "day", "years", "year", "yr",
-        "hours", "seconds", "rpm", "RPM", "Nm", "Js",
-    ];
-    let word = word.trim_end_matches(['.', ',', ';']);
-    let is_one = |part: &str| {
-        let unit =
-            part.trim_end_matches(|c: char| c.is_ascii_digit() || matches!(c, '^' | '-' | '−' | '²' | '³' | '{' | '}'));
-        UNITS.contains(&unit)
-    };
-    !word.is_empty() && word.split(['/', '·', '*', '(', ')', '\u{a0}']).filter(|part| !part.is_empty()).all(is_one)
 }
 
 /// Joins what stands alone beside a comma with its neighbour: `i = 1, 2, 3` and `x, y > 0` have lists as members.
@@ -451,39 +326,21 @@ fn reject_lone_values(pieces: &mut [Piece<'_>]) {
     }
 }
 
-fn separates(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Other(',' | ';' | '.') | Layout::Space(Space::Wide) => true,
-        Layout::Command(name) => matches!(name.as_str(), "\\Rightarrow" | "\\Leftrightarrow" | "\\therefore"),
-        Layout::Text(word) => matches!(
-            word.trim_matches(|c: char| c == ',' || c == '.'),
-            "and" | "so" | "hence" | "thus" | "therefore" | "sothat" | "where" | "with" | ""
-        ),
-        _ => false,
-    }
+/// Whether the item is a whole number in parentheses before a system: `(1) \begin{cases} …`.
+fn is_number_before_a_row(items: &[&Item], at: usize) -> bool {
+    let Layout::Fence(Delimiter::Round, inside) = &items[at].layout else { return false };
+    let is_number = matches!(inside.as_slice(), [Item { layout: Layout::Number(_), .. }]);
+    let next = items[at + 1..].iter().find(|next| !matches!(next.layout, Layout::Space(_)));
+    let is_system = |next: &&&Item| matches!(&next.layout, Layout::Environment(name, _) if name.contains("cases"));
+    is_number && at == 0 && next.is_some_and(|next| is_system(&next))
 }
 
-/// The letters of `constant` or `const` at the end of a side, with their number.
-fn spelled_constant(items: &[&Item], at: usize) -> Option<(Span, usize)> {
-    let letter = |item: &&Item| match item.layout {
-        Layout::Letter(c) => Some(c),
-        _ => None,
-    };
-    let word: String = items[at..].iter().map_while(letter).collect();
-    let last = items.get(at + word.len().checked_sub(1)?)?;
-    let ends = items.get(at + word.len()).is_none_or(|next| separates(next) || matches!(next.layout, Layout::Space(_)));
-    (ends && ["constant", "const", "Constant"].contains(&word.as_str()))
-        .then(|| (items[at].span.to(last.span), word.len()))
+/// Whether an item is a simple arrow.
+fn is_arrow(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Command(name) if name == "\\rightarrow" || name == "\\longrightarrow")
 }
 
-/// The place of the words that a side is constant: `\text{ is constant}`, `\mathrm{const}`.
-pub fn says_constant(item: &Item) -> Option<Span> {
-    let word = match &item.layout {
-        Layout::Text(word) => word.clone(),
-        Layout::Style(style, _) if style == "\\mathrm" => names::printed(item, None)?.name.base,
-        Layout::Scripts { .. } => return None,
-        _ => return None,
-    };
-    let word = word.trim_start_matches("\\mathrm{").trim_end_matches(['}', '.', ',', ';', ' ']);
-    matches!(word, "isconstant" | "isconserved" | "const" | "constant" | "=const").then_some(item.span)
+/// Whether an equation stands before the next separator.
+fn states_something(items: &[&Item]) -> bool {
+    items.iter().take_while(|item| !separates(item)).any(|item| item.layout == Layout::Other('='))
 }

@@ -1,0 +1,104 @@
+//! Marks that authors set in several ways: the d and ∂ of a derivative in bold or as a word, `\mathbf{\partial B}`, `\text{d}`;
+//! two bars of a bra and a ket; the bar of a place; the sign at the end of a proof.
+
+use super::super::lexer::{Token, TokenKind};
+
+/// The same tokens, where each of these marks has its usual form.
+pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
+    let mut found: Vec<Token> = Vec::with_capacity(tokens.len());
+    let mut open_bars = 0_usize;
+    let mut at = 0;
+    while at < tokens.len() {
+        let token = &tokens[at];
+        let span = token.span;
+        if let Some(length) = differential_in_bold(&tokens[at..]) {
+            // The style belongs to what is differentiated: `\partial\mathbf{B}`.
+            found.extend([tokens[at + 2].clone(), token.clone(), tokens[at + 1].clone()]);
+            found.extend_from_slice(&tokens[at + 3..at + length]);
+            at += length;
+            continue;
+        }
+        if let Some(mark) = upright_mark(&tokens[..at], &tokens[at..]) {
+            found.extend(mark.into_iter().map(|kind| Token { kind, span }));
+            at += 4;
+            continue;
+        }
+        if is_end_of_proof(token) && tokens[at + 1..].iter().all(is_blank) {
+            at += 1;
+            continue;
+        }
+        match &token.kind {
+            TokenKind::Command(name) if name == "\\lvert" => open_bars += 1,
+            // `\biggr\rvert_{x=a}`: nothing opens it.
+            TokenKind::Command(name) if name == "\\rvert" => match open_bars.checked_sub(1) {
+                Some(less) => open_bars = less,
+                None if tokens.get(at + 1).is_some_and(|next| next.kind == TokenKind::Sub) => {
+                    found.push(Token { kind: TokenKind::Other('|'), span });
+                    at += 1;
+                    continue;
+                }
+                None => {}
+            },
+            // `\bra{a}\ket{b}` prints one bar. What a command prints has the place of the command.
+            TokenKind::Other('|') if span.range().len() > 1 => {
+                let last = found.last();
+                if last.is_some_and(|last| last.kind == TokenKind::Other('|') && last.span.range().len() > 1) {
+                    at += 1;
+                    continue;
+                }
+            }
+            _ => {}
+        }
+        found.push(token.clone());
+        at += 1;
+    }
+    found
+}
+
+/// The number of tokens of `\mathbf{\partial B}` or `\vec{dl}`.
+fn differential_in_bold(tokens: &[Token]) -> Option<usize> {
+    let [style, open, mark, rest @ ..] = tokens else { return None };
+    let is_style = ["\\mathbf", "\\boldsymbol", "\\bm", "\\vec"].iter().any(|name| is(Some(style), name));
+    if !is_style || open.kind != TokenKind::Open {
+        return None;
+    }
+    let close = rest.iter().position(|token| token.kind == TokenKind::Close)?;
+    let is_name = |token: &Token| matches!(token.kind, TokenKind::Letter(_) | TokenKind::Command(_));
+    let is_one = match mark.kind {
+        TokenKind::Letter('d') => close == 1,
+        _ => is(Some(mark), "\\partial") && close > 0,
+    };
+    let is_flat = rest[..close].iter().all(|token| token.kind != TokenKind::Open);
+    (is_one && is_flat && rest.first().is_some_and(is_name)).then_some(close + 4)
+}
+
+/// The kinds of the tokens for `\text{d}` alone in a numerator, `\mathrm{\delta}` and the like, which are four tokens.
+fn upright_mark(before: &[Token], tokens: &[Token]) -> Option<Vec<TokenKind>> {
+    let [style, open, mark, close, rest @ ..] = tokens else { return None };
+    let is_upright = is(Some(style), "\\mathrm") || is(Some(style), "\\text");
+    if !is_upright || open.kind != TokenKind::Open || close.kind != TokenKind::Close {
+        return None;
+    }
+    if ["\\delta", "\\Delta", "\\partial"].iter().any(|name| is(Some(mark), name)) {
+        return Some(vec![mark.kind.clone()]);
+    }
+    let is_alone = before.last().is_some_and(|before| before.kind == TokenKind::Open)
+        && rest.first().is_some_and(|next| matches!(next.kind, TokenKind::Close | TokenKind::Super));
+    let command = TokenKind::Command("\\mathrm".to_owned());
+    (mark.kind == TokenKind::Letter('d') && is_alone && is(Some(style), "\\text"))
+        .then(|| vec![command, TokenKind::Open, mark.kind.clone(), TokenKind::Close])
+}
+
+fn is_end_of_proof(token: &Token) -> bool {
+    ["\\blacksquare", "\\qed", "\\qedsymbol"].iter().any(|name| is(Some(token), name))
+}
+
+fn is_blank(token: &Token) -> bool {
+    matches!(token.kind, TokenKind::Space(_) | TokenKind::Other('.' | ',') | TokenKind::Close)
+        || is(Some(token), "\\end")
+        || is_end_of_proof(token)
+}
+
+fn is(token: Option<&Token>, command: &str) -> bool {
+    matches!(token.map(|token| &token.kind), Some(TokenKind::Command(name)) if name == command)
+}

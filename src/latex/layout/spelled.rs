@@ -1,0 +1,118 @@
+//! Functions without a backslash before a parenthesis, where the letters can be no product: `cos(\phi)`, `mgl\,sin(\theta)`.
+//!
+//! Nobody multiplies c, o and s. `asin(x)` may be the arcsine or a product, and stays as it is; so does `sin x`, whose argument
+//! nothing encloses. `log` is taken for the function wherever it stands alone.
+
+use super::super::lexer::{Token, TokenKind};
+
+/// The longer ones go before those that they end with.
+const FUNCTIONS: [&str; 14] =
+    ["arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "coth", "sin", "cos", "tan", "cot", "sec", "csc", "exp"];
+
+/// The same tokens, where such letters are the command of the function.
+pub(super) fn with_commands(tokens: Vec<Token>) -> Vec<Token> {
+    let mut found: Vec<Token> = Vec::with_capacity(tokens.len());
+    let mut at = 0;
+    while at < tokens.len() {
+        // Words are no formulas.
+        if let Some(end) = end_of_words(&tokens[at..]) {
+            found.extend_from_slice(&tokens[at..at + end]);
+            at += end;
+            continue;
+        }
+        // The letter directly after _ or ^ is all of the script.
+        let is_script = at > 0 && matches!(tokens[at - 1].kind, TokenKind::Sub | TokenKind::Super);
+        let length = if is_script { 0 } else { run(&tokens[at..]) };
+        if length < 3 {
+            found.push(tokens[at].clone());
+            at += 1;
+            continue;
+        }
+        let letters = &tokens[at..at + length];
+        match function(letters, &tokens[at + length..]) {
+            Some(name) => {
+                let (factors, word) = letters.split_at(length - name.len());
+                found.extend_from_slice(factors);
+                let span = word.iter().map(|token| token.span).fold(word[0].span, crate::source::Span::to);
+                found.push(Token { kind: TokenKind::Command(format!("\\{name}")), span });
+            }
+            None => found.extend_from_slice(letters),
+        }
+        at += length;
+    }
+    found
+}
+
+/// The number of tokens of a word in `\text{…}` or the like that begins here.
+fn end_of_words(tokens: &[Token]) -> Option<usize> {
+    let TokenKind::Command(name) = &tokens.first()?.kind else { return None };
+    let is_word = ["\\text", "\\mathrm", "\\operatorname", "\\label", "\\tag"].contains(&name.as_str());
+    if !is_word || tokens.get(1)?.kind != TokenKind::Open {
+        return None;
+    }
+    let mut depth = 0_usize;
+    for (at, token) in tokens.iter().enumerate().skip(1) {
+        match token.kind {
+            TokenKind::Open => depth += 1,
+            TokenKind::Close => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return Some(at + 1);
+        }
+    }
+    None
+}
+
+/// The number of letters side by side at the beginning.
+fn run(tokens: &[Token]) -> usize {
+    let is_letter = |token: &Token| matches!(token.kind, TokenKind::Letter(_));
+    if !tokens.first().is_some_and(is_letter) {
+        return 0;
+    }
+    1 + tokens.windows(2).take_while(|pair| is_letter(&pair[1]) && pair[0].span.end == pair[1].span.start).count()
+}
+
+/// The function at the end of a run of letters.
+fn function(letters: &[Token], after: &[Token]) -> Option<&'static str> {
+    let word: String = letters.iter().filter_map(letter).collect();
+    let is_enclosed = opens(after) || power(after).is_some_and(|length| opens(&after[length..]));
+    if word == "log" && after.first().is_some_and(begins_argument) {
+        return Some("log");
+    }
+    let name = FUNCTIONS.into_iter().find(|name| is_enclosed && word.ends_with(name))?;
+    let factors = &word[..word.len() - name.len()];
+    let is_word = factors.contains(['a', 'e', 'i', 'o', 'u']);
+    let has_another = FUNCTIONS.into_iter().any(|other| factors.contains(other)) || factors.contains("log");
+    (!is_word && !has_another).then_some(name)
+}
+
+fn letter(token: &Token) -> Option<char> {
+    match token.kind {
+        TokenKind::Letter(letter) => Some(letter),
+        _ => None,
+    }
+}
+
+/// Whether a round parenthesis opens here.
+fn opens(tokens: &[Token]) -> bool {
+    let is = |at: usize, kind: &TokenKind| tokens.get(at).is_some_and(|token| token.kind == *kind);
+    let round = TokenKind::Other('(');
+    is(0, &round) || is(0, &TokenKind::Command("\\left".to_owned())) && is(1, &round)
+}
+
+/// The number of tokens of a whole power, `^2`.
+fn power(tokens: &[Token]) -> Option<usize> {
+    match tokens {
+        [first, digit, ..] if first.kind == TokenKind::Super && matches!(digit.kind, TokenKind::Digit(_)) => Some(2),
+        _ => None,
+    }
+}
+
+fn begins_argument(token: &Token) -> bool {
+    match &token.kind {
+        TokenKind::Letter(_) | TokenKind::Digit(_) | TokenKind::Other('(') | TokenKind::Sub => true,
+        TokenKind::Command(name) => ["\\frac", "\\left", "\\dfrac", "\\tfrac"].contains(&name.as_str()),
+        _ => false,
+    }
+}

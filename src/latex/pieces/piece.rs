@@ -1,0 +1,55 @@
+//! A statement as items.
+
+use crate::formula::tree::Relation;
+use crate::source::{Fault, Span};
+
+use super::super::layout::Item;
+
+/// A statement as items: each member with the relation before it; the first has none.
+pub(in super::super) struct Piece<'a> {
+    pub(in super::super) links: Vec<Link<'a>>,
+    pub(in super::super) constant: Option<Span>,
+    /// What stands after "for", "if" or "when", from that word on; and what stands in parentheses after a wide space.
+    pub(in super::super) conditions: Vec<Vec<&'a Item>>,
+    pub(in super::super) row: usize,
+    /// Whether it holds alternatives, of which one holds: its only member has all of their items.
+    pub(in super::super) has_alternatives: bool,
+    /// Why it cannot be read, whatever its items say.
+    pub(in super::super) fault: Option<Fault>,
+    /// The comma that separates it from the part before it.
+    pub(super) comma: Option<&'a Item>,
+}
+
+/// The relation before a member and its place; `None` before the first.
+pub(in super::super) type Printed = Option<(Relation, Span)>;
+
+pub(in super::super) struct Link<'a> {
+    pub(in super::super) relation: Printed,
+    pub(in super::super) items: Vec<&'a Item>,
+}
+
+impl Piece<'_> {
+    pub(super) fn new(row: usize) -> Self {
+        Piece {
+            links: Vec::new(),
+            constant: None,
+            conditions: Vec::new(),
+            row,
+            has_alternatives: false,
+            fault: None,
+            comma: None,
+        }
+    }
+
+    pub(super) fn ends_with_a_relation(&self) -> bool {
+        self.links.last().is_some_and(|link| link.relation.is_some() && link.items.is_empty())
+    }
+
+    /// Where it stands.
+    pub(in super::super) fn span(&self) -> Span {
+        let spans = self.links.iter().flat_map(|link| {
+            link.relation.iter().map(|(_, span)| *span).chain(link.items.iter().map(|item| item.span))
+        });
+        spans.reduce(Span::to).unwrap_or_default()
+    }
+}

@@ -1,0 +1,94 @@
+//! Words that stand between formulas, and which of them are no statements.
+
+use super::super::layout::{Delimiter, Item, Layout, latex};
+use super::super::reader::items::contents;
+use super::super::reader::structure::is_prose;
+use super::super::rows::{is_operator, is_significant, relation};
+use super::conditions::begins_condition;
+use super::separators::says_constant;
+
+/// Whether an item is words that stand between formulas, and no name: no operator or relation is beside it.
+pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
+    // `= 1.65\,\omega \ (\text{over the whole range})`
+    if let Layout::Fence(Delimiter::Round, inside) = &items[at].layout {
+        const LONG: usize = 10;
+        let is_phrase = |item: &Item| matches!(&item.layout, Layout::Text(word) if !is_unit(word) && (word.len() >= LONG || is_prose(word)));
+        let is_apart = at > 0 && matches!(items[at - 1].layout, Layout::Space(_));
+        return is_apart && inside.iter().any(is_phrase);
+    }
+    let word = match &items[at].layout {
+        Layout::Text(word) if matches!(word.as_str(), "and") => return false,
+        Layout::Text(word) => word.clone(),
+        Layout::Style(style, inner) if style == "\\mathrm" => {
+            let word = latex(contents(inner));
+            if !is_prose(&word) {
+                return false;
+            }
+            word
+        }
+        _ => return false,
+    };
+    // `\text{Tr}(A)` is a function, `\mathrm{SO}(3)` a group.
+    let is_function = matches!(items.get(at + 1).map(|next| &next.layout), Some(Layout::Fence(Delimiter::Round, _)));
+    let is_capital = word.len() > 1 && word.chars().all(|c| c.is_ascii_uppercase());
+    if is_function && (is_capital || !is_prose(&word)) {
+        return false;
+    }
+    let number = items[..at].iter().rev().find(is_significant).is_some_and(|item| is_figure(item));
+    if number && is_unit(&word) {
+        return false;
+    }
+    let bound = |item: &&Item| is_operator(item) || relation(item).is_some();
+    let beside = |mut near: std::iter::Skip<std::slice::Iter<'_, &Item>>| near.find(is_significant).is_some_and(bound);
+    let before = items[..at].iter().rev().find(is_significant).is_some_and(bound);
+    !word.is_empty()
+        && says_constant(items[at]).is_none()
+        && !begins_condition(items[at])
+        && !before
+        && !beside(items.iter().skip(at + 1))
+}
+
+/// Whether a remark only explains: words in parentheses, or words at the end of a row that restrict nothing.
+pub(super) fn is_aside(items: &[&Item], at: usize) -> bool {
+    if at == 0 {
+        return false;
+    }
+    let is_last = items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_) | Layout::Other('.' | ',')));
+    match &items[at].layout {
+        Layout::Fence(..) => is_last,
+        // `\text{ by hypothesis}`, `\text{using the chain rule}`; spaces are left out of a text.
+        Layout::Text(word) => {
+            is_last
+                && ["by", "using", "from", "since"]
+                    .iter()
+                    .any(|first| word.len() > first.len() + 3 && word.starts_with(first))
+        }
+        _ => false,
+    }
+}
+
+/// A number, or a power of one.
+fn is_figure(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Number(digits) => digits != "0",
+        Layout::Scripts { nucleus, sub: None, sup: Some(_), .. } => matches!(nucleus.layout, Layout::Number(_)),
+        _ => false,
+    }
+}
+
+/// Whether a word after a number is a unit, and no remark: `m/s`, `eV`, `days`.
+fn is_unit(word: &str) -> bool {
+    const UNITS: [&str; 59] = [
+        "m", "cm", "mm", "km", "nm", "fm", "pm", "s", "ms", "ns", "min", "h", "kg", "g", "mg", "N", "kN", "J", "kJ",
+        "MJ", "W", "kW", "MW", "eV", "keV", "MeV", "GeV", "TeV", "K", "Pa", "kPa", "MPa", "bar", "atm", "Hz", "kHz",
+        "MHz", "GHz", "V", "kV", "A", "mA", "T", "C", "mol", "rad", "sr", "deg", "days", "day", "years", "year", "yr",
+        "hours", "seconds", "rpm", "RPM", "Nm", "Js",
+    ];
+    let word = word.trim_end_matches(['.', ',', ';']);
+    let is_one = |part: &str| {
+        let unit =
+            part.trim_end_matches(|c: char| c.is_ascii_digit() || matches!(c, '^' | '-' | '−' | '²' | '³' | '{' | '}'));
+        UNITS.contains(&unit)
+    };
+    !word.is_empty() && word.split(['/', '·', '*', '(', ')', '\u{a0}']).filter(|part| !part.is_empty()).all(is_one)
+}

@@ -1,0 +1,63 @@
+//! What separates statements, and the words that a side is constant.
+
+use crate::source::Span;
+
+use super::super::layout::{Item, Layout};
+use super::super::lexer::Space;
+use super::super::names;
+
+/// Whether a comma or a point does not separate statements: `1,000`, `a.b`, `x + ... + y`.
+pub(super) fn joins(items: &[&Item], at: usize) -> bool {
+    let before = at.checked_sub(1).map(|before| items[before]);
+    let after = items.get(at + 1).copied();
+    let is_number = |item: Option<&Item>| item.is_some_and(|item| matches!(item.layout, Layout::Number(_)));
+    let is_point = |item: Option<&Item>| item.is_some_and(|item| item.layout == Layout::Other('.'));
+    match items[at].layout {
+        Layout::Other(',') => {
+            let touches = after.is_some_and(|next| next.span.start == items[at].span.end);
+            touches && is_number(before) && is_number(after)
+        }
+        Layout::Other('.') => {
+            let rest = items[at + 1..].iter().find(|next| !matches!(next.layout, Layout::Space(Space::Thin)));
+            is_point(before) || is_point(after) || rest.is_some_and(|next| !separates(next))
+        }
+        _ => false,
+    }
+}
+
+pub(super) fn separates(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Other(',' | ';' | '.') | Layout::Space(Space::Wide) => true,
+        Layout::Command(name) => matches!(name.as_str(), "\\Rightarrow" | "\\Leftrightarrow" | "\\therefore"),
+        Layout::Text(word) => matches!(
+            word.trim_matches(|c: char| c == ',' || c == '.'),
+            "and" | "so" | "hence" | "thus" | "therefore" | "sothat" | "where" | "with" | ""
+        ),
+        _ => false,
+    }
+}
+
+/// The letters of `constant` or `const` at the end of a side, with their number.
+pub(super) fn spelled_constant(items: &[&Item], at: usize) -> Option<(Span, usize)> {
+    let letter = |item: &&Item| match item.layout {
+        Layout::Letter(c) => Some(c),
+        _ => None,
+    };
+    let word: String = items[at..].iter().map_while(letter).collect();
+    let last = items.get(at + word.len().checked_sub(1)?)?;
+    let ends = items.get(at + word.len()).is_none_or(|next| separates(next) || matches!(next.layout, Layout::Space(_)));
+    (ends && ["constant", "const", "Constant"].contains(&word.as_str()))
+        .then(|| (items[at].span.to(last.span), word.len()))
+}
+
+/// The place of the words that a side is constant: `\text{ is constant}`, `\mathrm{const}`.
+pub fn says_constant(item: &Item) -> Option<Span> {
+    let word = match &item.layout {
+        Layout::Text(word) => word.clone(),
+        Layout::Style(style, _) if style == "\\mathrm" => names::printed(item, None)?.name.base,
+        Layout::Scripts { .. } => return None,
+        _ => return None,
+    };
+    let word = word.trim_start_matches("\\mathrm{").trim_end_matches(['}', '.', ',', ';', ' ']);
+    matches!(word, "isconstant" | "isconserved" | "const" | "constant" | "=const").then_some(item.span)
+}
