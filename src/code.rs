@@ -322,11 +322,16 @@ codes! {
     ///
     /// For example, `\sin\theta \approx \theta` holds for small θ. Add a `limit` or a `small` quantity.
     NeedsLimitOrSmall = "needs-limit-or-small",
-    /// No other equation uses a defined name, or none that passes does, so the definition was not tested.
+    /// No other equation uses a defined name, so the definition was not tested.
     ///
-    /// A definition cannot be false by itself. It is tested by the equations that use the name.
+    /// A definition cannot be false by itself. It is tested by the equations that use the name. A last result needs none; the report
+    /// warns of it.
     /// Use the name in another equation, or put the definition under `define`.
     DefinitionUnused = "definition-unused",
+    /// Other equations use a defined name, and none of them passes, so the definition was not tested.
+    ///
+    /// The mistake may be in the definition. Correct the equations that use the name, or the definition.
+    DefinitionUsersFail = "definition-users-fail",
     /// Other equations use a defined name, and a wrong definition would not make any of them fail.
     ///
     /// For example, `p v = m v^2` only repeats `p = m v`: with another p it would be another definition. The message

@@ -22,6 +22,8 @@
 //! | `steps` | derivations: false steps that follow from a false step before them |
 //! | `mutation` | mutation testing of a document |
 //! | `reprint`, `run` | a second print of the same equations; the check of one document |
+//! | `prose_claims` | claims that the words around a display make, kept where they hold |
+//! | `usage` | how names stand in the displays |
 //! | `mark` | hand-ins: each line against a problem and the lines before it |
 //! | `unaided` | notes without a claims file, or with guesses in it: claims inferred, findings weighed |
 //! | `checked` | the check of one document, whether its claims are guesses or not |

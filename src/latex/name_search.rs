@@ -96,3 +96,20 @@ pub fn parse_decorated(text: &str) -> Option<Name> {
     let (name, dots) = parse(text)?;
     with_dots(&name, dots)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_side_is_the_whole_name_or_a_power_of_it() {
+        let is_side = |text: &str, name: &str| is_a_side(text, name, &Macros::default());
+        for text in ["r_0 = a", "a = r_0", "r_0^2 = a", "r_0^{3} = a", "b = c, \\quad r_0 = a"] {
+            assert!(is_side(text, "r_0"), "{text}");
+        }
+        for text in ["\\cos r_0 = a", "\\sqrt{r_0} = a", "b = r_0^2 x", "b = r_0 x", "r_0 + 1 = a"] {
+            assert!(!is_side(text, "r_0"), "{text}");
+        }
+        assert!(is_side("\\omega^2 = k", "\\omega") && !is_side("\\omega_\\pm^2 = k", "\\omega"));
+    }
+}

@@ -256,3 +256,34 @@ fn what_is_too_dense_to_count_is_not_counted() {
     // The twin: what can be counted is.
     assert_eq!((maxima(r"\sin(10\alpha)", 5), maxima(r"\sin(10\alpha)", 4)), (Verified, Refuted));
 }
+
+#[test]
+fn a_key_that_a_sentence_would_ignore_is_rejected() {
+    let notes = "It is as I say.\n\n$$ a + b = b + a \\tag{1} $$\n";
+    let checked = |test: Json| {
+        let mut test = test;
+        test["quote"] = json!("It is as I say.");
+        let claims = with(&numbers(), "sentences", json!([test]));
+        document(&claims, notes, &Registry::standard(), None)
+    };
+    let formula = "(a + b)^2 = a^2 + 2ab + b^2";
+    assert!(checked(json!({ "claim": formula })).is_ok());
+    assert!(checked(json!({ "claim": formula, "assume": "a = b" })).is_ok());
+    for (key, value) in [
+        ("symmetry", json!({ "a": "b" })),
+        ("same motion as", json!("a")),
+        ("equilibrium", json!(true)),
+        ("secular equation for", json!("a")),
+        ("for each", json!("i")),
+        ("also equals", json!("a")),
+        ("skip", json!("no reason")),
+    ] {
+        let mut test = json!({ "claim": formula });
+        test[key] = value;
+        let error = checked(test).expect_err(key).to_string();
+        assert!(error.contains(&format!("\"{key}\" is not supported for a sentence")), "{error}");
+    }
+    // What needs a relation has none in a property.
+    let test = json!({ "of": "x^2 + a", "sign": "positive", "against": "x", "small": "a" });
+    assert!(checked(test).is_err_and(|error| error.to_string().contains("needs a sentence that states a formula")));
+}

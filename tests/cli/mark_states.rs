@@ -242,3 +242,69 @@ fn a_ratio_of_data_is_a_condition_with_which_numbers_are_right() {
     assert_eq!(of("bare", "$$ \\frac{V_1}{V_2} = 10 $$\n\n$$ T_1 = T_2 $$\n")[0], "undecided");
     assert_eq!(of("result", "$$ \\frac{p_2}{p_1} = 10 $$\n\n$$ p_2 = p_1 $$\n")[0], "wrong");
 }
+
+/// A string through a hole in a table: the circle is a special state, of which the problem speaks in one equation.
+const HOLE: (&str, &str) = (
+    "$$ L = \\frac12 (m + M) \\dot r^2 + \\frac12 m r^2 \\dot\\phi^2 - M g r \\tag{1} $$\n\n\
+     $$ p_\\phi = m r^2 \\dot\\phi \\tag{2} $$\n\n\
+     $$ (m + M) \\ddot r = \\frac{p_\\phi^2}{m r^3} - M g \\tag{3} $$\n\n\
+     $$ p_\\phi^2 = m M g r_0^3 \\tag{4} $$\n",
+    r#"{ "notes": "p.md", "coordinates": { "r": "> 0", "\\phi": "angle" }, "constants": { "m, M, g, r_0": "> 0" },
+        "means": { "L": "Lagrangian" }, "equations": { "4": { "throughout": "r = r_0" } } }"#,
+);
+
+#[test]
+fn what_holds_on_the_circle_only_is_no_equation_of_motion() {
+    let of = |name: &str, line: &str| marks(name, HOLE, &format!("$$ {line} $$\n"))[0].clone();
+    assert_eq!(of("motion", "(m + M) \\ddot r = m r \\dot\\phi^2 - M g"), "right");
+    // Where r stays, a lost mass makes no difference.
+    assert_eq!(of("lost", "m \\ddot r = m r \\dot\\phi^2 - M g"), "wrong");
+    assert_eq!(of("circle", "m r_0 \\dot\\phi^2 = M g"), "right");
+}
+
+#[test]
+fn a_rate_that_is_said_to_vanish_is_a_condition() {
+    let throw = (
+        "$$ x = v t \\cos\\alpha, \\qquad y = v t \\sin\\alpha - \\frac12 g t^2 \\tag{1} $$\n\n\
+         $$ y = x \\tan\\alpha - \\frac{g x^2}{2 v^2 \\cos^2\\alpha} \\tag{2} $$\n\n\
+         $$ t_1 = \\frac{v \\sin\\alpha}{g} \\tag{3} $$\n",
+        r#"{ "notes": "p.md", "constants": { "v, g": "> 0", "\\alpha": "(0, \\pi/2)" }, "rubric": { "results": { "2": 1, "3": 1 } } }"#,
+    );
+    let of = |name: &str, text: &str| marks(name, throw, text)[0].clone();
+    assert_eq!(of("top", "At the top $\\dot y = 0$, so\n\n$$ t_1 = \\frac{v \\sin\\alpha}{g} $$\n"), "given");
+    // Not said, and no rate.
+    assert_ne!(of("bare", "$$ \\dot y = 0 $$\n\n$$ t_1 = \\frac{v \\sin\\alpha}{g} $$\n"), "right");
+    assert_eq!(of("other", "So we find\n\n$$ \\dot y = v \\sin\\alpha + g t $$\n"), "wrong");
+}
+
+#[test]
+fn a_name_for_a_rate_has_its_solution() {
+    let circuit = |current: &str| {
+        format!(
+            "$$ I = \\dot q \\tag{{1}} $$\n\n$$ R I + \\frac qC = U \\tag{{2}} $$\n\n\
+             $$ q = C U \\left( 1 - e^{{-t/(RC)}} \\right) \\tag{{3}} $$\n\n$$ I = {current} e^{{-t/(RC)}} \\tag{{4}} $$\n"
+        )
+    };
+    let claims = r#"{ "notes": "p.md", "varies with time": { "q": "any" }, "constants": { "U, R, C": "> 0" },
+        "laws": { "Kirchhoff": "2" }, "rubric": { "results": { "4": 1 } } }"#;
+    let of = |name: &str, problem: &str, line: &str| marks(name, (problem, claims), &format!("$$ {line} $$\n"));
+    let right = circuit("\\frac UR");
+    assert_eq!(of("current", &right, "I = \\frac UR e^{-t/(RC)}"), ["right"]);
+    assert_eq!(of("current-slip", &right, "I = \\frac UC e^{-t/(RC)}"), ["wrong"]);
+}
+
+#[test]
+fn an_energy_with_another_zero_is_right() {
+    let problem = (
+        "$$ L = \\frac12 m \\dot x^2 - m g x \\tag{1} $$\n\n$$ m \\ddot x = -m g \\tag{2} $$\n\n\
+         $$ E = \\frac12 m \\dot x^2 + m g x \\tag{3} $$\n",
+        r#"{ "notes": "p.md", "coordinates": { "x": "any" }, "constants": { "m, g, l": "> 0" },
+            "means": { "L": "Lagrangian", "E": "energy" }, "rubric": { "results": { "2": 1, "3": 1 } } }"#,
+    );
+    let of = |name: &str, line: &str| marks(name, problem, &format!("$$ {line} $$\n"))[0].clone();
+    assert_eq!(of("other", "E = \\frac12 m \\dot x^2 - m g (l - x)"), "right");
+    assert_eq!(of("lagrangian", "L = \\frac12 m \\dot x^2 + m g (l - x)"), "right");
+    // Twice the energy is as constant along the motion, and another sign of the potential is no other zero.
+    assert_eq!(of("twice", "E = m \\dot x^2 + 2 m g x"), "wrong");
+    assert_eq!(of("sign", "E = \\frac12 m \\dot x^2 + m g (l - x)"), "wrong");
+}

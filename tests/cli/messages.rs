@@ -349,11 +349,11 @@ fn fix_says_what_it_did_or_why_it_did_nothing() {
 
 #[test]
 fn the_last_lines_count_the_codes_and_explain_the_worst() {
-    let notes = "$$ F = a \\tag{1} $$\n\n$$ a + b = c \\tag{2} $$\n\n$$ a = b \\tag{3} $$\n";
+    let notes = "$$ F = a \\tag{1} $$\n\n$$ F + b = c \\tag{2} $$\n\n$$ a = b \\tag{3} $$\n";
     let run = check("codes", notes, &numbers(json!({})));
     let last: Vec<&str> = run.out.lines().rev().take(2).collect();
     let hint = "For more information about a code, try: onshell explain sides-differ";
-    assert_eq!(last, [hint, "Codes: 2 sides-differ, 1 definition-unused"], "{}", run.out);
+    assert_eq!(last, [hint, "Codes: 2 sides-differ, 1 definition-users-fail"], "{}", run.out);
     is_silent(&check("code", "$$ a = b \\tag{1} $$\n", &numbers(json!({}))), &["Codes: "]);
 }
 

@@ -262,3 +262,52 @@ fn what_may_not_hold_is_no_premise() {
     assert!(!follows(last("matrix", &[r"A\mathbf{v} = \lambda\mathbf{v}", r"A = \lambda"])));
     assert!(follows(last("number", &[r"a x = \lambda x", r"a = \lambda"])));
 }
+
+#[test]
+fn words_of_solving_announce_what_follows() {
+    let lens = |words: &str, sign: &str| {
+        format!(
+            "A lens of focal length $f$, with the distances $g$ and $b$:\n\n$$ \\frac1f = \\frac1g + \\frac1b $$\n\n\
+             {words},\n\n$$ b = \\frac{{f g}}{{g {sign} f}} $$\n"
+        )
+    };
+    for words in ["Solved for the image distance", "Aufgelöst nach der Bildweite", "also"] {
+        let last = |sign: &str| verdicts("lens", &lens(words, sign)).pop().unwrap_or_default();
+        assert!(["certified", "verified"].contains(&last("-").as_str()), "{words}");
+        assert!(["refuted", "undecided"].contains(&last("+").as_str()), "{words}: {}", last("+"));
+    }
+    // Other words leave it open: another lens may be meant.
+    assert_eq!(verdicts("lens-other", &lens("For another lens", "+")).pop().unwrap_or_default(), "assumed");
+}
+
+#[test]
+fn a_matrix_that_a_formula_gives_is_computed() {
+    let square = |entry: &str| {
+        format!(
+            "$$ A = \\begin{{pmatrix}} 2 & -1 \\\\ -1 & 3 \\end{{pmatrix}} $$\n\nThe square of $A$ is\n\n\
+             $$ A^2 = \\begin{{pmatrix}} 5 & {entry} \\\\ -5 & 10 \\end{{pmatrix}} $$\n"
+        )
+    };
+    assert_eq!(verdicts("square", &square("-5"))[1], "certified");
+    assert_eq!(verdicts("square-slip", &square("5"))[1], "refuted");
+    // No single edit makes a product of it: it may be another matrix.
+    assert_ne!(verdicts("square-other", &square("77").replace("10", "31"))[1], "refuted");
+}
+
+#[test]
+fn beside_a_lagrangian_words_say_what_a_name_is() {
+    let notes = |energy: &str, frequency: &str| {
+        format!(
+            "A pendulum of mass $m$ and length $l$.\n\n$$ L = \\frac12 m l^2\\dot\\theta^2 + m g l\\cos\\theta $$\n\n\
+             The energy is\n\n$$ E = \\frac12 m {energy}\\dot\\theta^2 - m g l\\cos\\theta $$\n\n\
+             The frequency of small oscillations is\n\n$$ \\omega^2 = {frequency} $$\n"
+        )
+    };
+    let found = |energy: &str, frequency: &str| verdicts("words", &notes(energy, frequency));
+    let right = found("l^2", "\\frac gl");
+    assert!(right.iter().skip(1).all(|verdict| ["certified", "verified"].contains(&verdict.as_str())), "{right:?}");
+    assert_eq!(found("l", "\\frac gl")[1], "refuted");
+    assert_eq!(found("l^2", "\\frac{g}{2l}")[2], "refuted");
+    // Another quantity altogether is no slip.
+    assert_ne!(found("l^2", "\\frac{3 k}{7 M} + \\Omega^2")[2], "refuted");
+}

@@ -95,7 +95,8 @@ impl Typo {
 
 /// Whether a finding is that no equation tests a definition, or that the definition gives 0.
 fn is_untested_definition(finding: &Finding) -> bool {
-    matches!(finding.code, Code::DefinitionUnused | Code::DefinitionNotTested | Code::DefinitionZero)
+    use Code::{DefinitionNotTested, DefinitionUnused, DefinitionUsersFail, DefinitionZero};
+    matches!(finding.code, DefinitionUnused | DefinitionUsersFail | DefinitionNotTested | DefinitionZero)
 }
 
 /// Whether the counterexamples of a refuted equation are ones: finite, both sides as they must not be, and the printed sides have

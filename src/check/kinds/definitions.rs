@@ -172,7 +172,7 @@ pub fn check(
     match surviving.first() {
         _ if names.is_empty() => {
             let message = format!("defines {name}; no passing equation uses {name}, so this definition was not tested");
-            Ok(context.finding(Code::DefinitionUnused, Verdict::Undecided, message))
+            Ok(context.finding(Code::DefinitionUsersFail, Verdict::Undecided, message))
         }
         Some((_, change)) => {
             let message = format!(

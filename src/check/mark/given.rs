@@ -42,7 +42,8 @@ fn sets(checker: &Checker<'_>, name: &Expr, value: &Expr, (wanted, is_said): (&[
         // A quantity that varies may have a value at an instant, as the velocity at the top.
         // The text may give any quantity a number.
         Some(Meaning::Defined(_) | Meaning::System(_)) => {
-            value.symbols().is_empty() && (varies(checker, name) || is_said && !value.is_null())
+            let is_number = value.symbols().is_empty();
+            varies(checker, name) && (is_number || is_said) || is_number && is_said && !value.is_null()
         }
         _ => false,
     };
@@ -60,7 +61,9 @@ fn sets(checker: &Checker<'_>, name: &Expr, value: &Expr, (wanted, is_said): (&[
     };
     let symbols = value.symbols();
     let is_wanted = |id: &SymbolId| wanted.contains(id);
-    let is_open = !is_wanted(id) && !symbols.iter().any(|(id, _)| is_wanted(id) && !is_place(*id));
+    // A result is no condition, but its rate may be said to vanish, as at the top.
+    let is_rate = is_said && *dots > 0 && value.is_null();
+    let is_open = (!is_wanted(id) || is_rate) && !symbols.iter().any(|(id, _)| is_wanted(id) && !is_place(*id));
     is_free && is_open && symbols.len() <= 1 && symbols.iter().all(is_constant)
 }
 

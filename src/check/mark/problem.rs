@@ -1,6 +1,5 @@
 //! The problem: the claims and the notes of the teacher, prepared once for all hand-ins.
 
-use crate::code::Code;
 use crate::latex::names;
 use crate::notes::address::{self, Address, Point, Target};
 use crate::notes::claims::{Claim, Claims, Role, Rubric, Share, Spanned};
@@ -12,7 +11,6 @@ use crate::check::document::setup::{Run, assign, with_checker};
 use crate::check::run::check_in;
 use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
-use crate::check::verdict::finding::Finding;
 
 use super::names::Names;
 use super::special::Special;
@@ -201,11 +199,10 @@ fn verdicts(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<(Vec<Verdic
             }
         })
     };
-    let is_untested = |finding: &Finding| finding.is_untested_definition() || finding.code == Code::DefinitionUpToSign;
     let open = |display: &Display| {
         let found = document.equations.iter().find(|equation| Some(equation.id.as_str()) == display.id())?;
         let finding = Some(&found.finding).filter(|finding| finding.verdict == Verdict::Undecided && !found.ok)?;
-        (!is_untested(finding)).then(|| finding.message.clone())
+        (!finding.leaves_a_definition_open()).then(|| finding.message.clone())
     };
     Ok((notes.equations.iter().map(of).collect(), notes.equations.iter().map(open).collect()))
 }

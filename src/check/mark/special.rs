@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 
 use crate::formula::symbols::Name;
-use crate::formula::{Expr, Node, Relation, SymbolId};
+use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
 use crate::latex::rename::renamed;
 use crate::latex::{Reading, names};
 use crate::notes::claims::{Claim, Claims, Spanned};
@@ -224,11 +224,25 @@ pub(super) fn is_degenerate(checker: &Checker<'_>, claim: &Claim, reading: &Read
         all.flat_map(Expr::symbols).flat_map(defined).filter(|(_, dots)| *dots > 1).collect()
     };
     let own = members(reading);
-    !own.is_empty()
-        && claim.assume.iter().any(|text| {
-            let said = checker.as_printed(&text.value, &Claim::default(), &checker.model.macros);
-            members(&said).iter().any(|rate| own.contains(rate))
-        })
+    let read = |text: &Spanned<String>| checker.as_printed(&text.value, &Claim::default(), &checker.model.macros);
+    let says_a_rate =
+        !own.is_empty() && claim.assume.iter().any(|text| members(&read(text)).iter().any(|rate| own.contains(rate)));
+    says_a_rate || claim.throughout.iter().any(|text| is_at_rest(checker, &read(text), reading))
+}
+
+/// Whether a hypothesis, as `r = r_0` at all times, puts a coordinate in a place, and a reading with a rate of the coordinate is
+/// about any motion. That the rate is 0 is about this one.
+fn is_at_rest(checker: &Checker<'_>, hypothesis: &Reading, reading: &Reading) -> bool {
+    let [Ok(said)] = hypothesis.statements.as_slice() else { return false };
+    let fixed: Vec<SymbolId> =
+        said.members.iter().filter_map(Expr::as_plain_symbol).filter(|id| checker.model.is_coordinate(*id)).collect();
+    let has_rate = |member: &Expr| member.symbols().iter().any(|(id, dots)| *dots > 0 && fixed.contains(id));
+    let is_zero = |statement: &Statement| {
+        let is_lone = |member: &Expr| member.is_null() || matches!(member.node, Node::Symbol { .. });
+        statement.members.iter().any(Expr::is_null) && statement.members.iter().all(is_lone)
+    };
+    let statements = reading.statements.iter().flatten().filter(|statement| !is_zero(statement));
+    said.members.len() == 2 && statements.flat_map(|statement| &statement.members).any(has_rate)
 }
 
 fn said(text: String) -> Spanned<String> {

@@ -76,11 +76,13 @@ pub(super) fn stated(reading: &Reading) -> Option<Status> {
 
 fn of_finding(finding: Finding) -> Status {
     use Code::{
-        AlwaysConstant, Definition, DefinitionNotTested, DefinitionUnused, DefinitionUpToSign, FollowsFromHypotheses,
-        ForcedValue, MutantPasses, RestatesHypothesis, SameFormula, SideAlwaysZero, TrueByDefinition, UnitMismatch,
+        AlwaysConstant, Definition, DefinitionNotTested, DefinitionUnused, DefinitionUpToSign, DefinitionUsersFail,
+        FollowsFromHypotheses, ForcedValue, MutantPasses, RestatesHypothesis, SameFormula, SideAlwaysZero,
+        TrueByDefinition, UnitMismatch,
     };
-    let is_named =
-        |code: Code| matches!(code, Definition | DefinitionNotTested | DefinitionUnused | DefinitionUpToSign);
+    let is_named = |code: Code| {
+        matches!(code, Definition | DefinitionNotTested | DefinitionUnused | DefinitionUpToSign | DefinitionUsersFail)
+    };
     match (finding.verdict, finding.code) {
         (_, code) if is_named(code) => Status::Given(Verdict::Definition, "introduces a name"),
         (Verdict::Law, _) => Status::Given(Verdict::Law, "a law that the problem gives"),

@@ -61,7 +61,11 @@ fn given_here(notes_names: &NotesNames<'_>, at: usize, words: &Sentence, places:
         .filter(|name| !notes_names.is_declared(name))
         .collect();
     let begins = |name: &str, letters: &[&str]| letters.iter().any(|letter| name_search::same(&base(name), letter));
-    let of = |letters: &[&str]| given.iter().filter(|name| begins(name, letters)).cloned().collect::<Vec<_>>();
+    // The words may name any letter: "the frequency $n$".
+    let is_said = |name: &str| words.formulas.iter().any(|formula| name_search::same(formula, name));
+    let of = |letters: &[&str]| -> Vec<String> {
+        given.iter().filter(|name| begins(name, letters) || is_said(name)).cloned().collect()
+    };
     let (frequencies, periods) = (of(&LETTERS), of(&PERIODS));
     // After the equation of small oscillations the frequency needs no words.
     let goes_on = || at > 0 && words.is_empty() && notes_names.before(at - 1).says(&OSCILLATE);
@@ -90,7 +94,7 @@ fn given_here(notes_names: &NotesNames<'_>, at: usize, words: &Sentence, places:
     // Each display that gives the name a formula is tested, under the condition for the place.
     let others = (0..notes_names.notes.equations.len()).filter(|at| notes_names.is_free(*at));
     let displays: Vec<usize> =
-        others.filter(|other| means.iter().any(|(name, _)| notes_names.is_given_in(*other, name))).collect();
+        others.filter(|other| given.iter().any(|name| notes_names.is_given_in(*other, name))).collect();
     let displays = if displays.is_empty() { vec![at] } else { displays };
     let claim = Claim { implied: under, ..Claim::default() };
     let claims = displays.iter().filter(|_| !claim.implied.is_empty()).map(|at| (*at, claim.clone())).collect();
@@ -108,7 +112,7 @@ fn pair(notes_names: &NotesNames<'_>, at: usize) -> Option<String> {
 
 /// The name without its subscript.
 fn base(name: &str) -> String {
-    names::parse(name).map_or_else(|| name.to_owned(), |(name, _)| name.base)
+    names::parse(name).map_or_else(|| name.split('_').next().unwrap_or(name).to_owned(), |(name, _)| name.base)
 }
 
 /// The place about which a quantity oscillates.

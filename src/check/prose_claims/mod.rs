@@ -13,11 +13,13 @@
 //! | `frequencies` | frequencies and periods of small oscillations, secular equations |
 //! | `quantities` | effective potentials, and what is said to be conserved |
 //! | `constants` | names that only the prose introduces |
+//! | `initial_values` | where a motion begins that is released from rest |
 //!
 //! Knows the whole check of a document, [`check_in`], and no notes without claims.
 
 mod constants;
 mod frequencies;
+mod initial_values;
 mod notes_names;
 mod places;
 mod quantities;
@@ -51,6 +53,8 @@ pub(crate) struct ProseClaim {
     displays: Vec<usize>,
     /// Whether one display that passes is enough, where none fails.
     is_enough: bool,
+    /// Whether a display of it is refuted, so that edits decide.
+    is_doubtful: bool,
     /// What is said in the report.
     why: String,
 }
@@ -60,28 +64,38 @@ pub(crate) struct ProseClaim {
 /// # Errors
 /// As [`check_in`].
 pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
-    let mut said = infer(claims, notes);
     // Other displays decide what words mean too.
-    let whole = Run { only: None, ..*run };
-    let quiet = Run { progress: &(), ..whole };
-    let mut first = true;
+    let quiet = Run { only: None, progress: &(), ..*run };
+    let options = Options { explain: false, ..run.options };
+    // Edits are sought last, since they cost most.
+    let mut said = kept(&Run { options, ..quiet }, (claims, notes), infer(claims, notes), ProseClaim::may_stand);
+    if said.iter().any(|claim| claim.is_doubtful) {
+        said = kept(&quiet, (claims, notes), said, ProseClaim::stands);
+    }
+    if said.is_empty() {
+        return check_in(run, claims, notes);
+    }
+    let mut found = check_in(run, &added(claims, notes, &said), notes)?;
+    found.inferred.extend(said.iter().map(|claim| claim.why.clone()).filter(|why| !why.is_empty()));
+    Ok(found)
+}
+
+/// The claims that stand together. Where the document cannot be checked with them, there are none.
+fn kept(
+    run: &Run<'_>,
+    (claims, notes): (&Claims, &Notes),
+    mut said: Vec<ProseClaim>,
+    stands: fn(&mut ProseClaim, &Document, &Notes) -> bool,
+) -> Vec<ProseClaim> {
     while !said.is_empty() {
-        let this = if first { &whole } else { &quiet };
-        first = false;
-        // What cannot be checked with these claims is checked without.
-        let Ok(mut found) = check_in(this, &added(claims, notes, &said), notes) else { break };
+        let Ok(found) = check_in(run, &added(claims, notes, &said), notes) else { return Vec::new() };
         let before = said.len();
-        said.retain(|claim| claim.stands(&found, notes));
+        said.retain_mut(|claim| stands(claim, &found, notes));
         if said.len() == before {
-            let with = added(claims, notes, &said);
-            if run.only.is_some() {
-                found = check_in(&Run { progress: &(), ..*run }, &with, notes)?;
-            }
-            found.inferred.extend(said.iter().map(|claim| claim.why.clone()).filter(|why| !why.is_empty()));
-            return Ok(found);
+            break;
         }
     }
-    check_in(if first { run } else { &quiet }, claims, notes)
+    said
 }
 
 /// Guessed claims with those that the prose makes, as far as their displays pass with them or are refuted.
@@ -125,6 +139,7 @@ pub(crate) fn infer(claims: &Claims, notes: &Notes) -> Vec<ProseClaim> {
     if claims.guesses.is_none() {
         said.extend(constants::infer(&names, &places));
     }
+    said.extend(initial_values::infer(&names, &places));
     said.extend(places.into_iter().map(|place| place.claim));
     said
 }
@@ -169,6 +184,9 @@ fn join(known: &mut Claim, new: &Claim) {
     let fresh = new.implied.iter().filter(|one| !known.implied.iter().any(|other| other.value == one.value));
     let fresh: Vec<Spanned<String>> = fresh.cloned().collect();
     known.implied.extend(fresh);
+    if known.assume.is_empty() {
+        known.assume.clone_from(&new.assume);
+    }
     known.conserved = known.conserved.take().or_else(|| new.conserved.clone());
     known.equilibrium = known.equilibrium.take().or_else(|| new.equilibrium.clone());
     known.secular_for = known.secular_for.take().or_else(|| new.secular_for.clone());
@@ -178,24 +196,46 @@ fn join(known: &mut Claim, new: &Claim) {
 }
 
 impl ProseClaim {
-    /// Whether its displays pass with it, or an edit of each makes them pass.
-    fn stands(&self, found: &Document, notes: &Notes) -> bool {
+    /// The findings on its displays.
+    fn findings<'d>(&self, found: &'d Document, notes: &Notes) -> Vec<&'d Equation> {
         let equation = |at: &usize| {
             let id = notes.equations[*at].id()?;
             found.equations.iter().find(|equation| equation.id == id)
         };
-        let findings: Vec<&Equation> = self.displays.iter().filter_map(equation).collect();
-        let is_refuted = |equation: &&Equation| matches!(equation.finding.verdict, Verdict::Refuted | Verdict::Domain);
-        let is_slip = |equation: &&Equation| is_refuted(equation) && !equation.repairs.is_empty();
-        let passes = |equation: &&Equation| equation.ok || equation.finding.is_untested_definition();
+        self.displays.iter().filter_map(equation).collect()
+    }
+
+    /// Whether its displays pass with it or are refuted, so that edits may make them pass.
+    fn may_stand(&mut self, found: &Document, notes: &Notes) -> bool {
+        let findings = self.findings(found, notes);
+        self.is_doubtful = findings.iter().any(|equation| is_refuted(equation));
+        match self.is_enough {
+            true => findings.iter().any(|equation| passes(equation)),
+            false => findings.iter().all(|equation| passes(equation) || is_refuted(equation)),
+        }
+    }
+
+    /// Whether its displays pass with it, or an edit of each makes them pass.
+    fn stands(&mut self, found: &Document, notes: &Notes) -> bool {
+        let findings = self.findings(found, notes);
+        let is_slip = |equation: &Equation| is_refuted(equation) && !equation.repairs.is_empty();
         match self.is_enough {
             true => {
-                findings.iter().any(passes)
+                findings.iter().any(|equation| passes(equation))
                     && findings.iter().all(|equation| !is_refuted(equation) || is_slip(equation))
             }
             false => findings.iter().all(|equation| passes(equation) || is_slip(equation)),
         }
     }
+}
+
+fn is_refuted(equation: &Equation) -> bool {
+    matches!(equation.finding.verdict, Verdict::Refuted | Verdict::Domain)
+}
+
+/// Whether a display passes, or would if another one were corrected.
+fn passes(equation: &Equation) -> bool {
+    equation.ok || equation.finding.is_untested_definition() || equation.finding.follows_from.is_some()
 }
 
 /// A value that stands nowhere in the claims file.

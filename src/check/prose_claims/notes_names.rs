@@ -9,6 +9,9 @@ use crate::check::document::setup::{assign, define_macros};
 use crate::check::prose_claims::words::Sentence;
 use crate::check::usage::{Usage, names_of};
 
+/// The most displays in one sentence.
+const LONGEST_SENTENCE: usize = 4;
+
 /// The names of notes, and the displays without a claim of their own.
 pub(super) struct NotesNames<'a> {
     pub claims: &'a Claims,
@@ -42,6 +45,16 @@ impl<'a> NotesNames<'a> {
         Sentence::before(self.notes, at)
     }
 
+    /// The sentence before a display, and those before the displays that stand in the same sentence.
+    pub fn sentence_of(&self, at: usize) -> Vec<Sentence> {
+        let goes_on = |at: &usize| {
+            let ends = |before: usize| self.notes.equations[before].text.trim_end().ends_with('.');
+            at.checked_sub(1).filter(|before| !ends(*before) && self.before(*at).goes_on)
+        };
+        let all = std::iter::successors(Some(at), goes_on).take(LONGEST_SENTENCE);
+        all.map(|at| self.before(at)).collect()
+    }
+
     /// Whether the claims file says what a name is. A guess that it is a constant says nothing.
     pub fn is_declared(&self, name: &str) -> bool {
         let claims = self.claims;
@@ -49,6 +62,18 @@ impl<'a> NotesNames<'a> {
         let declared = claims.declarations.iter().filter(is_said).map(|declaration| &declaration.name);
         let tied = claims.means.iter().chain(&claims.define).map(|(name, _)| name);
         declared.chain(tied).any(|known| name_search::same(&known.value, name))
+    }
+
+    /// Whether the claims file says of a name that it is a constant, and no more.
+    pub fn is_constant(&self, name: &str) -> bool {
+        let mut constants = self.claims.declarations.iter().filter(|one| one.role == Role::Constant);
+        constants.any(|one| name_search::same(&one.name.value, name))
+    }
+
+    /// Whether a display gives a name a formula that nothing declares.
+    pub fn introduces(&self, at: usize) -> bool {
+        let own = self.usages.iter().filter(|usage| usage.introduced == Some(at)).map(|usage| usage.name.to_string());
+        own.into_iter().any(|name| !self.is_declared(&name) && !self.is_constant(&name))
     }
 
     /// The coordinates, each with its name.

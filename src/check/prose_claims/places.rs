@@ -69,14 +69,17 @@ pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<Place> {
     for (declared, coordinate) in notes_names.coordinates() {
         for usage in notes_names.usages.iter().filter(|usage| is_value_of(&usage.name, &coordinate)) {
             let value = usage.name.to_string();
-            if usage.moves || usage.arguments.is_some() || notes_names.is_declared(&value) {
+            // That it is a constant says nothing of where it is.
+            let is_known = notes_names.is_declared(&value) && !notes_names.is_constant(&value);
+            if usage.moves || usage.arguments.is_some() || is_known {
                 continue;
             }
             let with_it = notes_names.displays_with(&value);
             let says_where = |at: &usize| {
-                let words = notes_names.before(*at);
-                let lasts = words.says(&LASTING) && !words.denies();
-                lasts && notes_names.is_free(*at) && !notes_names.has_coordinates(*at)
+                let lasts = notes_names.sentence_of(*at).iter().any(|words| words.says(&LASTING) && !words.denies());
+                let is_own = notes_names.is_given_in(*at, &value);
+                let is_free = notes_names.is_free(*at) && !notes_names.has_coordinates(*at);
+                lasts && is_free && (is_own || !notes_names.introduces(*at))
             };
             let Some(at) = with_it.iter().copied().find(says_where) else { continue };
             let Some(condition) = notes_names.equality(at) else { continue };

@@ -6,11 +6,16 @@ use crate::notes::Notes;
 /// The most bytes after a display that are taken for the end of its sentence.
 const LONGEST_END: usize = 160;
 
+/// The most bytes before a display that are taken for what leads to it.
+const LONGEST_PARAGRAPH: usize = 500;
+
 /// The part of a sentence before a display, or after it.
 pub(super) struct Sentence {
     words: Vec<String>,
     /// The formulas in it, without their marks, in order.
     pub formulas: Vec<String>,
+    /// Whether it begins as a part of the sentence before it does: with a small letter.
+    pub goes_on: bool,
 }
 
 impl Sentence {
@@ -20,6 +25,17 @@ impl Sentence {
         let text = &notes.source.text[..notes.equations[at].span.start];
         let end = text.trim_end_matches(|c: char| c.is_whitespace() || matches!(c, ':' | '.')).len();
         Sentence::between(notes, sentence_start(notes, end), end)
+    }
+
+    /// All that stands between the `at`-th display and the one before it.
+    pub fn paragraph(notes: &Notes, at: usize) -> Self {
+        let end = notes.equations[at].span.start;
+        let before = notes.equations.iter().map(|other| other.span.end).filter(|before| *before <= end).max();
+        let mut from = before.unwrap_or(0).max(end.saturating_sub(LONGEST_PARAGRAPH));
+        while !notes.source.text.is_char_boundary(from) {
+            from += 1;
+        }
+        Sentence::between(notes, from, end)
     }
 
     /// The part after the `at`-th display; empty where the display ends the sentence.
@@ -41,7 +57,8 @@ impl Sentence {
     fn between(notes: &Notes, from: usize, to: usize) -> Self {
         let inside = notes.inline.iter().filter(|span| span.start >= from && span.end <= to);
         let formulas = inside.filter_map(|span| Some(notes.source.slice(body_of(notes, *span)?).trim().to_owned()));
-        Sentence { words: words_between(notes, from, to), formulas: formulas.collect() }
+        let goes_on = notes.source.text[from..to].trim_start().starts_with(char::is_lowercase);
+        Sentence { words: words_between(notes, from, to), formulas: formulas.collect(), goes_on }
     }
 
     /// Whether there is neither a word nor a formula.

@@ -466,5 +466,13 @@ pub(crate) fn as_repairs(
         idle: vacuous,
         shared: None,
     };
-    found.into_iter().filter(|found| is_in_source(checker, wrong.text, &found.edit, offset)).map(repair).collect()
+    // No author means a term with a factor of 0.
+    let is_nothing = |found: &Suggestion| {
+        ["\\frac0", "\\frac{0}", "\\frac 0"].iter().any(|zero| found.edit.replacement.contains(zero))
+    };
+    found
+        .into_iter()
+        .filter(|found| is_in_source(checker, wrong.text, &found.edit, offset) && !is_nothing(found))
+        .map(repair)
+        .collect()
 }

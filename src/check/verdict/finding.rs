@@ -119,9 +119,14 @@ pub struct Finding {
 pub(crate) const WOULD_HOLD: &str = "; it would hold with ";
 
 impl Finding {
-    /// Whether it is about a definition that no other display tests.
+    /// Whether it is about a definition that no other display tests, and nothing fails for it.
     pub(crate) fn is_untested_definition(&self) -> bool {
         matches!(self.code, Code::DefinitionUnused | Code::DefinitionNotTested)
+    }
+
+    /// Whether it is about a definition that is not tested, or not in full.
+    pub(crate) fn leaves_a_definition_open(&self) -> bool {
+        self.is_untested_definition() || matches!(self.code, Code::DefinitionUsersFail | Code::DefinitionUpToSign)
     }
 
     /// Takes the mutant that would hold out of the message.

@@ -112,7 +112,7 @@ fn an_orbit_and_an_effective_potential_hold_the_conserved_momentum_fixed() {
             (r"r = \frac{\ell^2}{m k(1+e\cos\phi)}", "passes"),
             (r"p = \frac{\ell^2}{m k}", "definition"),
             (r"r(\phi) = \frac{p}{1+e\cos\phi}", "passes"),
-            (r"V_{\mathrm{eff}} = \frac{\ell^2}{2 m r^2} - \frac{k}{r}", "definition"),
+            (r"V_{\mathrm{eff}} = \frac{\ell^2}{2 m r^2} - \frac{k}{r}", "passes"),
             (r"m\ddot r = -\frac{dV_{\mathrm{eff}}}{dr}", "passes"),
         ],
     );

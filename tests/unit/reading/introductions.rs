@@ -159,7 +159,10 @@ fn a_symbol_may_be_introduced_by_its_square() {
     ] {
         assert_eq!(read_with(latex, &mut symbols), words, "{latex}");
     }
-    assert_eq!(faults(r"Q^3 = M"), ["Q^3"]);
+    // Of a higher power it is the root.
+    let roots = introduced_with(r"Q^3 = M", &mut particles());
+    assert!(matches!(roots.as_slice(), [only] if only.starts_with("Q: ") && only.contains('M')), "{roots:?}");
+    assert_eq!(faults(r"Q^{12} = M"), ["Q^{12}"]);
     assert_eq!(faults(r"Q^2 = \vec v"), ["Q^2"]);
     assert_eq!(faults(r"M = Q^2"), ["Q^2"]);
 }

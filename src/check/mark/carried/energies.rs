@@ -1,16 +1,17 @@
-//! A false Lagrangian that is T − U with energies of the student's own: then one of these is false.
+//! A false Lagrangian that is T − U with energies of the student's own: then one of these is false. And energies with another zero.
 
 use crate::formula::symbols::Name;
 use crate::formula::{Expr, Node, Relation, Sign, SymbolId, Term};
 use crate::latex::Reading;
 use crate::latex::slips::{self, Pool};
-use crate::notes::claims::Claim;
+use crate::notes::claims::{Claim, Holds, Spanned};
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::mark::slip::fits;
 use crate::check::mark::status::{Status, status};
-use crate::check::model::meaning::Meaning;
+use crate::check::model::claim::is_equality;
+use crate::check::model::meaning::{Meaning, Quantity};
 
 /// Subscripts of E for kinetic and for potential energies.
 const KINETIC_SUBSCRIPTS: [&str; 4] = ["k", "c", "kin", "cin"];
@@ -111,6 +112,31 @@ pub(in crate::check::mark) fn is_sum_of_energies(checker: &Checker<'_>, reading:
     let is_pair =
         |a: &Term, b: &Term| unknown(a, &KINETIC, &KINETIC_SUBSCRIPTS) && unknown(b, &POTENTIAL, &POTENTIAL_SUBSCRIPTS);
     lagrangian.is_some() && first.as_plain_symbol() == lagrangian && (is_pair(a, b) || is_pair(b, a))
+}
+
+/// Whether a line gives an energy or the Lagrangian a formula that differs from the true one by a constant: the student has put the
+/// zero of the potential energy elsewhere. The difference has no rate at all, on motions or off them.
+pub(in crate::check::mark) fn has_another_zero(checker: &Checker<'_>, display: usize, reading: &Reading) -> bool {
+    let [Ok(statement)] = reading.statements.as_slice() else { return false };
+    let ([first, second], false) = (statement.members.as_slice(), statement.constant.is_some()) else { return false };
+    let printed = checker.model.printed_lagrangian.as_ref();
+    let lagrangian = printed.and_then(|printed| checker.model.symbols.find(&printed.lagrangian)).map(|(id, _)| id);
+    let is_meant = first.as_plain_symbol().is_some_and(|id| {
+        let energies =
+            [Quantity::Lagrangian, Quantity::PotentialEnergy, Quantity::Energy, Quantity::EffectivePotential];
+        let is_energy =
+            matches!(checker.model.meaning(id), Some(Meaning::System(quantity)) if energies.contains(quantity));
+        is_energy || Some(id) == lagrangian
+    });
+    if !is_meant || !statement.relations.iter().all(|(relation, _)| is_equality(*relation)) {
+        return false;
+    }
+    let difference = second.clone().minus(first.clone());
+    let span = difference.span;
+    let rate = Expr::new(Node::TimeDerivative(1, Box::new(difference)), span);
+    let said = stating(reading, vec![rate, Expr::integer(0, span)]);
+    let always = Claim { holds: Some(Spanned::new(Holds::Always, Span::default())), ..Claim::default() };
+    matches!(status(checker, display, &said, &always), Status::Holds(_))
 }
 
 fn is_energy(name: &Name, letters: &[&str], subscripts: &[&str]) -> bool {

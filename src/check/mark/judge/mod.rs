@@ -297,6 +297,11 @@ impl Judge<'_, '_> {
             self.implied.extend(all);
             return Ok(());
         }
+        if energies::has_another_zero(self.quiet, display, reading) {
+            (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
+            line.because = "right, with another zero of the potential energy".to_owned();
+            return Ok(());
+        }
         if self.is_rounded(display, reading) {
             self.known.add(reading, false);
             (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));

@@ -193,7 +193,7 @@ pub(super) fn as_following(equation: Equation) -> Option<Equation> {
     if equation.finding.verdict.passes() {
         return Some(equation);
     }
-    let defines = |finding: &Finding| finding.is_untested_definition() || finding.code == Code::DefinitionUpToSign;
+    let defines = |finding: &Finding| finding.leaves_a_definition_open();
     let mut findings = equation.parts.iter().map(|part| &part.finding);
     let passing =
         findings.clone().find(|finding| finding.verdict.passes() && finding.verdict != Verdict::Definition)?;
@@ -237,7 +237,7 @@ fn taken_for_granted(span: Span) -> Finding {
 }
 
 fn finding_as_it_counts(finding: Finding) -> Finding {
-    let is_untested = finding.is_untested_definition() || finding.code == Code::DefinitionUpToSign;
+    let is_untested = finding.leaves_a_definition_open();
     match finding.verdict {
         Verdict::Refuted => taken_for_granted(finding.span),
         Verdict::Undecided if finding.code == Code::NoMotion => taken_for_granted(finding.span),

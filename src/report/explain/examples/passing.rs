@@ -47,6 +47,25 @@ pub(super) const PASSING: &[Example] = &[
         ],
     },
     Example {
+        word: "definition-users-fail",
+        command: "onshell check notes.md",
+        files: &[
+            (
+                "notes.md",
+                r"$$ p = m v \tag{1} $$
+
+$$ p (v + m) = m v^2 - m^2 v \tag{2} $$",
+            ),
+            (
+                "notes.json",
+                r#"{
+  "notes": "notes.md",
+  "constants": { "m, v": "any" }
+}"#,
+            ),
+        ],
+    },
+    Example {
         word: "definition-not-tested",
         command: "onshell check notes.md",
         files: &[

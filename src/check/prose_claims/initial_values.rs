@@ -1,0 +1,65 @@
+//! Where a motion begins: "it is released from rest at $\\theta = \\theta_0$".
+//!
+//! A relation with the value of the coordinate there, such as the energy integral \(\\dot\\theta^2 = …(\\cos\\theta - \\cos\\theta_0)\), holds on
+//! this motion and on no other.
+
+use crate::latex::{name_search, names};
+use crate::notes::claims::Claim;
+
+use super::notes_names::NotesNames;
+use super::places::Place;
+use super::words::Sentence;
+use super::{ProseClaim, spanned};
+
+/// Words for the begin of a motion, as they begin.
+const RELEASED: [&str; 8] = ["releas", "let", "start", "begin", "losgelass", "lâch", "abandonn", "suelta"];
+
+/// Words for rest, as they begin.
+const REST: [&str; 5] = ["rest", "ruh", "repos", "reposo", "riposo"];
+
+/// The claims of the displays with the value of a coordinate from which a motion begins.
+pub(super) fn infer(notes_names: &NotesNames<'_>, places: &[Place]) -> Vec<ProseClaim> {
+    let mut found: Vec<ProseClaim> = Vec::new();
+    let displays = notes_names.notes.equations.len();
+    for at in 0..displays {
+        let words = Sentence::paragraph(notes_names.notes, at);
+        if !words.says(&RELEASED) || !words.says(&REST) {
+            continue;
+        }
+        let Some((coordinate, value)) = words.formulas.iter().find_map(|formula| value_of(notes_names, formula)) else {
+            continue;
+        };
+        if places.iter().any(|place| place.value == value) {
+            continue;
+        }
+        let assume =
+            vec![spanned(format!("{coordinate}(0) = {value}")), spanned(format!("\\dot{{{coordinate}}}(0) = 0"))];
+        let is_known = |at: usize| found.iter().any(|claim| claim.displays.contains(&at));
+        // A solution says itself where it begins.
+        let wanted: Vec<usize> = (at..displays)
+            .filter(|at| notes_names.is_free(*at) && notes_names.mentions(*at, &value) && !is_known(*at))
+            .filter(|at| !notes_names.mentions(*at, "t"))
+            .collect();
+        for at in wanted {
+            let id = notes_names.notes.equations[at].id().unwrap_or_default();
+            let claim = Claim { assume: assume.clone(), ..Claim::default() };
+            found.push(ProseClaim {
+                why: format!("({id}) is about the motion from rest at {coordinate} = {value}"),
+                claims: vec![(at, claim)],
+                displays: vec![at],
+                ..ProseClaim::default()
+            });
+        }
+    }
+    found
+}
+
+/// The coordinate and the name of its value, where a formula gives it one.
+fn value_of(notes_names: &NotesNames<'_>, formula: &str) -> Option<(String, String)> {
+    let (left, right) = formula.split_once('=')?;
+    let (left, right) = (left.trim(), right.trim());
+    let mut coordinates = notes_names.coordinates();
+    let (declared, _) = coordinates.find(|(one, _)| name_search::same(&one.name.value, left))?;
+    names::parse(right)?;
+    Some((declared.name.value.clone(), right.to_owned()))
+}
