@@ -253,6 +253,7 @@ pub struct Statement {
     pub span: Span,
 }
 
+#[cfg(feature = "notes")]
 impl Statement {
     /// Whether this and another are the two signs of a ± that stands on some sides only, as in `x = 3 \pm 2`: one of the two holds,
     /// and perhaps not both.
