@@ -142,6 +142,9 @@ fn secular_equations_and_their_roots() {
     let slips =
         [("2", r"(k + c - m\omega^2)^2", r"(k - c - m\omega^2)^2"), ("3", r"\frac{k + 2c}{m}", r"\frac{k + c}{m}")];
     passes_and_finds(&claims(&json!({ "x, y": "any" }), "m, k, c"), PAIR, &slips);
+    // A root that is real in a strong field only is a frequency there.
+    let found = checked(&claims(&json!({ "x, y, z": "any" }), r"m, \beta, k"), ION);
+    assert!(found.inferred.iter().any(|line| line.contains("(3) say")), "{:?}", found.inferred);
     // Forces that turn couple x and y; z has a determinant of its own.
     let slips = [("2", r"\omega^2 + \frac12 k\right)^2", r"\omega^2 - \frac12 k\right)^2")];
     passes_and_finds(&claims(&json!({ "x, y, z": "any" }), r"m, \beta, k"), ION, &slips);

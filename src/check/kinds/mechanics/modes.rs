@@ -39,7 +39,12 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
     let Some(determinant) = pencil.secular(square) else { return Ok(too_many_turn(context)) };
     let link = equal(&determinant, &zero);
     let context = &Context { on_shell: Some(false), ..*context };
-    let found = identity::check(&link, context)?;
+    let mut found = identity::check(&link, context)?;
+    // A frequency exists where the place is stable, and is claimed there.
+    if found.code == Code::DomainDiffers {
+        let holds = context.verified("", "a root that is not real where the place is not stable");
+        found = Finding { points: found.points, tried: found.tried, ..holds };
+    }
     match found.verdict {
         // Without masses the determinant says nothing of a frequency.
         verdict if verdict.holds() && pencil.is_massless(context)? => return Ok(unsupported(context)),
