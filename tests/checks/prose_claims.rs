@@ -207,3 +207,35 @@ fn a_motion_from_rest_has_the_energy_that_it_begins_with() {
     // Without the words it is no identity.
     assert_eq!(verdict(&notes("2").replace("is released from rest at", "passes")), Verdict::Refuted);
 }
+
+#[test]
+fn what_words_may_mean_otherwise_is_not_refuted() {
+    let verdict = |claims: &Json, notes: &str| of(&checked(claims, notes), "2").finding.verdict;
+    // The motor works on the bead, so its energy is not conserved; one sign makes another quantity of it that is.
+    let hoop = |words: &str| {
+        format!(
+            "$$ L = \\frac12 m a^2(\\dot\\theta^2 + \\omega^2\\sin^2\\theta) + m g a\\cos\\theta \\tag{{1}} $$\n\n{words}\n\n\
+             $$ E = \\frac12 m a^2(\\dot\\theta^2 + \\omega^2\\sin^2\\theta) - m g a\\cos\\theta \\tag{{2}} $$\n"
+        )
+    };
+    let of_angle = |constants: &str| claims(&json!({ r"\theta": "angle" }), constants);
+    let driven = of_angle(r"m, g, a, \omega");
+    assert_ne!(verdict(&driven, &hoop("The energy of the bead is")), Verdict::Refuted);
+    assert_eq!(verdict(&driven, &hoop("There is a conserved quantity,")), Verdict::Refuted);
+    // The angle is counted from the top, where nothing oscillates.
+    let pendulum = |potential: &str| {
+        format!(
+            "$$ L = \\frac12 m l^2\\dot\\theta^2 {potential} m g l\\cos\\theta \\tag{{1}} $$\n\n\
+             The frequency of small oscillations about the lowest position is\n\n\
+             $$ \\omega^2 = \\frac gl \\tag{{2}} $$\n"
+        )
+    };
+    assert_ne!(verdict(&of_angle("m, g, l"), &pendulum("-")), Verdict::Refuted);
+    assert_eq!(verdict(&of_angle("m, g, l"), &pendulum("+")), Verdict::Certified);
+    // A constant may be left out of an effective potential.
+    let top = "$$ L = \\frac12 A(\\dot\\theta^2 + \\sin^2\\theta\\,\\dot\\phi^2) + \\frac12 C(\\dot\\psi + \\cos\\theta\\,\\dot\\phi)^2 \
+               - m g l\\cos\\theta \\tag{1} $$\n\n$$ U_{\\text{eff}}(\\theta) = \\frac{(p_\\phi - p_\\psi\\cos\\theta)^2}{2 A\\sin^2\\theta} \
+               + m g l\\cos\\theta \\tag{2} $$\n";
+    let of_top = claims(&json!({ r"\theta": "(0, \\pi)", r"\phi, \psi": "angle" }), "A, C, m, g, l");
+    assert_ne!(verdict(&of_top, top), Verdict::Refuted);
+}

@@ -299,7 +299,7 @@ fn beside_a_lagrangian_words_say_what_a_name_is() {
     let notes = |energy: &str, frequency: &str| {
         format!(
             "A pendulum of mass $m$ and length $l$.\n\n$$ L = \\frac12 m l^2\\dot\\theta^2 + m g l\\cos\\theta $$\n\n\
-             The energy is\n\n$$ E = \\frac12 m {energy}\\dot\\theta^2 - m g l\\cos\\theta $$\n\n\
+             The energy is conserved,\n\n$$ E = \\frac12 m {energy}\\dot\\theta^2 - m g l\\cos\\theta $$\n\n\
              The frequency of small oscillations is\n\n$$ \\omega^2 = {frequency} $$\n"
         )
     };
@@ -308,6 +308,9 @@ fn beside_a_lagrangian_words_say_what_a_name_is() {
     assert!(right.iter().skip(1).all(|verdict| ["certified", "verified"].contains(&verdict.as_str())), "{right:?}");
     assert_eq!(found("l", "\\frac gl")[1], "refuted");
     assert_eq!(found("l^2", "\\frac{g}{2l}")[2], "refuted");
+    // From the top the sign is another one; the words mean the place below.
+    let from_above = notes("l^2", "\\frac gl").replace("m g l\\cos\\theta", "(-m g l\\cos\\theta)");
+    assert_ne!(verdicts("words-above", &from_above)[2], "refuted");
     // Another quantity altogether is no slip.
     assert_ne!(found("l^2", "\\frac{3 k}{7 M} + \\Omega^2")[2], "refuted");
 }

@@ -6,15 +6,14 @@ use crate::notes::claims::{Claim, Range, Spanned};
 use super::notes_names::NotesNames;
 use super::places::Place;
 use super::words::Sentence;
-use super::{ProseClaim, spanned};
+use super::{ProseClaim, Refutes, spanned};
 
 /// Words for a frequency, as they begin.
 const FREQUENCY: [&str; 8] =
     ["frequen", "fréquen", "frecuen", "kreisfreq", "eigenfreq", "pulsation", "pulsac", "pulsaz"];
 
 /// Words for a period, as they begin.
-const PERIOD: [&str; 8] =
-    ["period", "période", "periodo", "schwingungsdauer", "umlaufzeit", "período", "periode", "zeit"];
+const PERIOD: [&str; 5] = ["period", "période", "período", "schwingungsdauer", "umlaufzeit"];
 
 /// Words for small oscillations, as they begin.
 const OSCILLATE: [&str; 12] = [
@@ -99,7 +98,8 @@ fn given_here(notes_names: &NotesNames<'_>, at: usize, words: &Sentence, places:
     let claim = Claim { implied: under, ..Claim::default() };
     let claims = displays.iter().filter(|_| !claim.implied.is_empty()).map(|at| (*at, claim.clone())).collect();
     let why = format!("{name} is the {what}, as the words before ({}) say", notes_names.notes.equations[at].id()?);
-    Some(ProseClaim { means, claims, displays, why, ..ProseClaim::default() })
+    let refutes = if what == "normal frequency" { Refutes::WithAnEdit } else { Refutes::WhereStable };
+    Some(ProseClaim { means, claims, displays, refutes, why, ..ProseClaim::default() })
 }
 
 /// The name with both signs that a display gives a formula, as in `\omega_\pm^2 = …`.
@@ -138,7 +138,7 @@ fn about(notes_names: &NotesNames<'_>, at: usize, words: &Sentence, places: &[Pl
     };
     // "About it", and about no other place where the coordinate cannot be 0.
     let is_last =
-        |place: &&Place| place.at < at && (words.says(&["it", "this", "there", "dort", "diese"]) || !place.may_be_zero);
+        |place: &&Place| place.at < at && (words.has_word(&["it", "this", "there", "dort"]) || !place.may_be_zero);
     if let Some(place) = places.iter().find(names_it).or(places.iter().rev().find(is_last)) {
         return About { place: format!(" about {} = {}", place.coordinate, place.value), under: place.under.clone() };
     }

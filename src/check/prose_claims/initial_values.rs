@@ -12,10 +12,10 @@ use super::words::Sentence;
 use super::{ProseClaim, spanned};
 
 /// Words for the begin of a motion, as they begin.
-const RELEASED: [&str; 8] = ["releas", "let", "start", "begin", "losgelass", "lâch", "abandonn", "suelta"];
+const RELEASED: [&str; 7] = ["releas", "start", "begin", "losgelass", "lâch", "abandonn", "suelta"];
 
-/// Words for rest, as they begin.
-const REST: [&str; 5] = ["rest", "ruh", "repos", "reposo", "riposo"];
+/// Words for rest.
+const REST: [&str; 5] = ["rest", "ruhe", "repos", "reposo", "riposo"];
 
 /// The claims of the displays with the value of a coordinate from which a motion begins.
 pub(super) fn infer(notes_names: &NotesNames<'_>, places: &[Place]) -> Vec<ProseClaim> {
@@ -23,7 +23,7 @@ pub(super) fn infer(notes_names: &NotesNames<'_>, places: &[Place]) -> Vec<Prose
     let displays = notes_names.notes.equations.len();
     for at in 0..displays {
         let words = Sentence::paragraph(notes_names.notes, at);
-        if !words.says(&RELEASED) || !words.says(&REST) {
+        if !(words.says(&RELEASED) || words.says_phrase(&["let go"])) || !words.has_word(&REST) {
             continue;
         }
         let Some((coordinate, value)) = words.formulas.iter().find_map(|formula| value_of(notes_names, formula)) else {

@@ -32,7 +32,6 @@ use crate::notes::address::Address;
 use crate::notes::claims::{Claim, Claims, Declaration, Range, Role, Spanned};
 use crate::source::Span;
 
-use crate::check::document::checker::Checker;
 use crate::check::document::setup::{Run, with_checker};
 use crate::check::prose_claims::notes_names::NotesNames;
 use crate::check::run::check_in;
@@ -40,9 +39,24 @@ use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::{Document, Equation};
 
+/// When words make a display wrong that fails with what they say.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Refutes {
+    /// Where an edit makes it pass.
+    #[default]
+    WithAnEdit,
+    /// The same, for a frequency, where the place is stable. Else the words mean another place.
+    WhereStable,
+    /// Never: the name has another meaning as often. The energy of a driven system is not conserved, and authors leave constants out
+    /// of an effective potential.
+    Never,
+}
+
 /// What words make of some displays.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ProseClaim {
+    /// When a display of it is wrong.
+    refutes: Refutes,
     /// Constants, with their ranges.
     constants: Vec<(String, Range)>,
     /// What names mean, as under `means`.
@@ -104,17 +118,17 @@ pub(crate) fn with_guesses(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Cla
     while !said.is_empty() {
         let with = added(claims, notes, &said);
         let tested = with_checker(run, &with, notes, |checker| {
-            let options = Options { explain: false, ..checker.options };
-            let checker = Checker { options, units: checker.units.clone(), ..checker };
-            let is_tested = |at: &usize| {
-                let found = checker.equation(*at, checker.assigned[*at]);
+            let is_tested = |claim: &ProseClaim, at: usize| {
+                let found = checker.equation(at, checker.assigned[at]);
                 found.is_ok_and(|equation| {
-                    let finding = &equation.finding;
-                    (finding.verdict.passes() || finding.verdict == Verdict::Refuted)
-                        && !finding.is_untested_definition()
+                    // The ranges are guesses, so a counterexample says nothing of stability.
+                    let is_refuted = equation.finding.verdict == Verdict::Refuted && claim.refutes != Refutes::Never;
+                    let is_tested = !equation.finding.is_untested_definition();
+                    is_tested && (equation.finding.verdict.passes() || is_refuted)
                 })
             };
-            Ok(said.iter().map(|claim| claim.displays.iter().all(is_tested)).collect::<Vec<bool>>())
+            let all = |claim: &ProseClaim| claim.displays.iter().all(|at| is_tested(claim, *at));
+            Ok(said.iter().map(all).collect::<Vec<bool>>())
         });
         let Ok(tested) = tested else { break };
         if tested.iter().all(|tested| *tested) {
@@ -209,16 +223,34 @@ impl ProseClaim {
     fn may_stand(&mut self, found: &Document, notes: &Notes) -> bool {
         let findings = self.findings(found, notes);
         self.is_doubtful = findings.iter().any(|equation| is_refuted(equation));
+        // Counterexamples are found later.
+        let may_refute = |equation: &Equation| self.refutes != Refutes::Never && is_refuted(equation);
         match self.is_enough {
             true => findings.iter().any(|equation| passes(equation)),
-            false => findings.iter().all(|equation| passes(equation) || is_refuted(equation)),
+            false => findings.iter().all(|equation| passes(equation) || may_refute(equation)),
         }
+    }
+
+    /// Whether a display is refuted that may be wrong for what the words say.
+    fn may_refute(&self, equation: &Equation) -> bool {
+        let is_stable = || {
+            let parts = equation.parts.iter().map(|part| &part.finding);
+            let mut found = parts.chain([&equation.finding]).filter_map(|finding| finding.counterexample.as_ref());
+            // ω² = K/M is negative where the place is not stable.
+            found.next().is_some_and(|counterexample| counterexample.rhs > 0.0)
+        };
+        is_refuted(equation)
+            && match self.refutes {
+                Refutes::WithAnEdit => true,
+                Refutes::WhereStable => is_stable(),
+                Refutes::Never => false,
+            }
     }
 
     /// Whether its displays pass with it, or an edit of each makes them pass.
     fn stands(&mut self, found: &Document, notes: &Notes) -> bool {
         let findings = self.findings(found, notes);
-        let is_slip = |equation: &Equation| is_refuted(equation) && !equation.repairs.is_empty();
+        let is_slip = |equation: &Equation| self.may_refute(equation) && !equation.repairs.is_empty();
         match self.is_enough {
             true => {
                 findings.iter().any(|equation| passes(equation))

@@ -11,9 +11,9 @@ use super::notes_names::NotesNames;
 use super::{ProseClaim, spanned};
 
 /// Words for a state that lasts, as they begin.
-const LASTING: [&str; 24] = [
+const LASTING: [&str; 17] = [
     "equilib",
-    "rest",
+    "rests",
     "station",
     "steady",
     "steadi",
@@ -21,22 +21,18 @@ const LASTING: [&str; 24] = [
     "circle",
     "stay",
     "remain",
-    "constant",
     "hang",
     "gleichgew",
     "ruh",
     "kreis",
     "équilib",
     "repos",
-    "circulaire",
-    "stationn",
-    "equilibr",
-    "reposo",
-    "riposo",
-    "circol",
-    "uniform",
+    "circul",
     "balanc",
 ];
+
+/// Words for rest and for what stays as it is. Longer words that begin so mean something else, as "restoring" does.
+const RESTS: [&str; 3] = ["rest", "constant", "uniformly"];
 
 /// The value of a coordinate.
 pub(super) struct Place {
@@ -76,7 +72,10 @@ pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<Place> {
             }
             let with_it = notes_names.displays_with(&value);
             let says_where = |at: &usize| {
-                let lasts = notes_names.sentence_of(*at).iter().any(|words| words.says(&LASTING) && !words.denies());
+                let lasts = notes_names
+                    .sentence_of(*at)
+                    .iter()
+                    .any(|words| (words.says(&LASTING) || words.has_word(&RESTS)) && !words.denies());
                 let is_own = notes_names.is_given_in(*at, &value);
                 let is_free = notes_names.is_free(*at) && !notes_names.has_coordinates(*at);
                 lasts && is_free && (is_own || !notes_names.introduces(*at))

@@ -5,7 +5,7 @@ use crate::notes::claims::{Claim, Conserved};
 
 use super::notes_names::NotesNames;
 use super::words::Sentence;
-use super::{ProseClaim, spanned};
+use super::{ProseClaim, Refutes, spanned};
 
 /// Phrases that say that a quantity keeps its value, each word as it begins.
 const CONSERVED: [&str; 14] = [
@@ -56,6 +56,7 @@ fn effective_potentials(notes_names: &NotesNames<'_>) -> Vec<ProseClaim> {
             .collect(),
         why: format!("{name} is the effective potential, as its subscript says"),
         means: vec![(name, "effective potential".to_owned())],
+        refutes: Refutes::Never,
         ..ProseClaim::default()
     };
     names.map(claim).collect()
@@ -81,6 +82,7 @@ fn conserved(notes_names: &NotesNames<'_>, at: usize) -> Option<ProseClaim> {
     is_meant.then(|| ProseClaim {
         claims: vec![(at, Claim { conserved: Some(spanned(Conserved::This)), ..Claim::default() })],
         displays: vec![at],
+        refutes: if is_said { Refutes::WithAnEdit } else { Refutes::Never },
         why: format!("{name} is conserved, as the words around ({id}) say"),
         ..ProseClaim::default()
     })

@@ -71,6 +71,11 @@ impl Sentence {
         self.words.iter().any(|word| stems.iter().any(|stem| word.starts_with(stem)))
     }
 
+    /// Whether one of these is a word of it.
+    pub fn has_word(&self, words: &[&str]) -> bool {
+        self.words.iter().any(|word| words.contains(&word.as_str()))
+    }
+
     /// Whether the words of one of these phrases follow each other; each is the beginning of a word.
     pub fn says_phrase(&self, phrases: &[&str]) -> bool {
         phrases.iter().any(|phrase| {
@@ -81,7 +86,6 @@ impl Sentence {
 
     /// Whether it denies or doubts something.
     pub fn denies(&self) -> bool {
-        let doubt = ["not", "no", "never", "would", "cannot", "unless", "nicht", "kein", "pas", "non"];
-        self.words.iter().any(|word| doubt.contains(&word.as_str()))
+        self.has_word(&["not", "no", "never", "would", "cannot", "unless", "nicht", "kein", "pas", "non"])
     }
 }

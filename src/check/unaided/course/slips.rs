@@ -67,6 +67,12 @@ impl Course<'_, '_> {
         let (model, before) = (checker.model, &self.seen);
         let around = gate::Around { model, before, origin, basis, words, solves: is_solution };
         repairs.retain(|repair| gate::is_likely(repair, display, &around));
+        // With another sign the frequency is that about another place, such as the lowest one.
+        if checker.readings[at].introduced.iter().any(is_frequency) {
+            repairs.retain(|repair| {
+                repair.replacement.trim() != "-" || !checker.source.slice(repair.span).trim().is_empty()
+            });
+        }
         // An inequality holds in a range that the notes need not print; only its direction can be seen to be wrong.
         if quick.finding.code == Code::InequalityFails {
             let turned = |repair: &Repair| INEQUALITIES.contains(&checker.source.slice(repair.span).trim());
