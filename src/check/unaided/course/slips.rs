@@ -69,9 +69,15 @@ impl Course<'_, '_> {
         repairs.retain(|repair| gate::is_likely(repair, display, &around));
         // With another sign the frequency is that about another place, such as the lowest one.
         if checker.readings[at].introduced.iter().any(is_frequency) {
-            repairs.retain(|repair| {
-                repair.replacement.trim() != "-" || !checker.source.slice(repair.span).trim().is_empty()
-            });
+            let unsigned = |text: &str| text.replace(['-', ' '], "").replace("\\left", "").replace("\\right", "");
+            let only_negates = |repair: &Repair| {
+                let printed = checker.source.slice(repair.span);
+                repair.replacement.contains('-')
+                    && !printed.contains(['+', '-'])
+                    && unsigned(&repair.replacement).replace(['(', ')'], "")
+                        == unsigned(printed).replace(['(', ')'], "")
+            };
+            repairs.retain(|repair| !only_negates(repair));
         }
         // An inequality holds in a range that the notes need not print; only its direction can be seen to be wrong.
         if quick.finding.code == Code::InequalityFails {
