@@ -67,18 +67,6 @@ impl Course<'_, '_> {
         let (model, before) = (checker.model, &self.seen);
         let around = gate::Around { model, before, origin, basis, words, solves: is_solution };
         repairs.retain(|repair| gate::is_likely(repair, display, &around));
-        // With another sign the frequency is that about another place, such as the lowest one.
-        if checker.readings[at].introduced.iter().any(is_frequency) {
-            let unsigned = |text: &str| text.replace(['-', ' '], "").replace("\\left", "").replace("\\right", "");
-            let only_negates = |repair: &Repair| {
-                let printed = checker.source.slice(repair.span);
-                repair.replacement.contains('-')
-                    && !printed.contains(['+', '-'])
-                    && unsigned(&repair.replacement).replace(['(', ')'], "")
-                        == unsigned(printed).replace(['(', ')'], "")
-            };
-            repairs.retain(|repair| !only_negates(repair));
-        }
         // An inequality holds in a range that the notes need not print; only its direction can be seen to be wrong.
         if quick.finding.code == Code::InequalityFails {
             let turned = |repair: &Repair| INEQUALITIES.contains(&checker.source.slice(repair.span).trim());
@@ -97,6 +85,18 @@ impl Course<'_, '_> {
         if solves && repairs.is_empty() {
             repairs = checker.repairs_of_own_definition(self.run, at)?;
             repairs.retain(|repair| gate::is_likely(repair, display, &around));
+        }
+        // With another sign the frequency is that about another place, such as the lowest one.
+        if checker.readings[at].introduced.iter().any(is_frequency) {
+            let unsigned = |text: &str| text.replace(['-', ' '], "").replace("\\left", "").replace("\\right", "");
+            let only_negates = |repair: &Repair| {
+                let printed = checker.source.slice(repair.span);
+                repair.replacement.contains('-')
+                    && !printed.contains(['+', '-'])
+                    && unsigned(&repair.replacement).replace(['(', ')'], "")
+                        == unsigned(printed).replace(['(', ')'], "")
+            };
+            repairs.retain(|repair| !only_negates(repair));
         }
         // No author means an equation whose terms have different dimensions.
         repairs.retain(|repair| !dimensions::are_spoilt(checker, at, repair));
