@@ -32,7 +32,8 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     let mut macros = Macros::default();
     let definitions = definitions(&arguments.formula);
     define_macros(&definitions, &mut macros);
-    let reading = read_display(&without(&definitions, &arguments.formula), &mut symbols, &macros);
+    let formula = without_comments(&without(&definitions, &arguments.formula));
+    let reading = read_display(&formula, &mut symbols, &macros);
     let source = Arc::new(Source::new("formula", arguments.formula.as_str()));
     let (mut statements, mut errors): (Vec<String>, _) = (Vec::new(), Vec::new());
     let mut before: Option<Statement> = None;
@@ -114,4 +115,19 @@ fn without(definitions: &[MacroDefinition], text: &str) -> String {
         text.replace_range(definition.span.range(), &" ".repeat(definition.span.range().len()));
     }
     text
+}
+
+/// The text with spaces in the place of its comments, each from a % to the end of its line, so that every byte keeps its position.
+fn without_comments(text: &str) -> String {
+    let mut kept = String::with_capacity(text.len());
+    let (mut in_comment, mut escaped) = (false, false);
+    for c in text.chars() {
+        in_comment = (in_comment || c == '%' && !escaped) && c != '\n';
+        escaped = c == '\\' && !escaped;
+        match in_comment {
+            true => kept.extend(std::iter::repeat_n(' ', c.len_utf8())),
+            false => kept.push(c),
+        }
+    }
+    kept
 }

@@ -135,7 +135,7 @@ fn mark(command: &str) -> Option<&'static str> {
 }
 
 fn letter(command: &str) -> Option<char> {
-    const LETTERS: [(&str, char); 112] = [
+    const LETTERS: [(&str, char); 119] = [
         ("sum", 'Σ'),
         ("prod", 'Π'),
         ("int", '∫'),
@@ -240,6 +240,13 @@ fn letter(command: &str) -> Option<char> {
         ("land", '∧'),
         ("lor", '∨'),
         ("neg", '¬'),
+        ("backslash", '∖'),
+        ("prec", '≺'),
+        ("preceq", '⪯'),
+        ("succ", '≻'),
+        ("succeq", '⪰'),
+        ("sharp", '♯'),
+        ("bot", '⊥'),
         ("lesssim", '≲'),
         ("gtrsim", '≳'),
         ("iiint", '∭'),

@@ -10,7 +10,7 @@ use super::layout::{Item, Layout};
 use super::lexer::Space;
 
 /// Between two columns of equations.
-static COLUMN: Item = Item { layout: Layout::Space(Space::Wide), span: Span { start: 0, end: 0 } };
+pub(super) static COLUMN: Item = Item { layout: Layout::Space(Space::Wide), span: Span { start: 0, end: 0 } };
 
 /// One row of a display.
 pub(super) struct Row<'a> {
@@ -85,6 +85,7 @@ fn whole(items: &[Item]) -> Option<&[Vec<Vec<Item>>]> {
             | "align"
             | "gather"
             | "alignedat"
+            | "alignat"
             | "equation"
             | "eqnarray"
             | "multline"

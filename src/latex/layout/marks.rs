@@ -1,4 +1,4 @@
-//! Marks that authors set in several ways: the d and ∂ of a derivative in bold or as a word, `\mathbf{\partial B}`, `\text{d}`;
+//! Marks that authors set in several ways: the d and ∂ of a derivative in bold or as a word, `\mathbf{\partial B}`, `\text{d}`; bold signs of products;
 //! two bars of a bra and a ket; the bar of a place; the sign at the end of a proof.
 
 use super::super::lexer::{Token, TokenKind};
@@ -20,6 +20,23 @@ pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
         }
         if let Some(mark) = upright_mark(&tokens[..at], &tokens[at..]) {
             found.extend(mark.into_iter().map(|kind| Token { kind, span }));
+            at += 4;
+            continue;
+        }
+        // `A^\#`, the pseudoinverse
+        if is(Some(token), "\\#") && found.last().is_some_and(|before| before.kind == TokenKind::Super) {
+            found.push(Token { kind: TokenKind::Command("\\sharp".to_owned()), span });
+            at += 1;
+            continue;
+        }
+        // `\boldsymbol{\cdot}`
+        if let [style, open, sign, close, ..] = &tokens[at..]
+            && is(Some(style), "\\mathbf")
+            && open.kind == TokenKind::Open
+            && close.kind == TokenKind::Close
+            && ["\\cdot", "\\times", "\\otimes", "\\wedge"].iter().any(|name| is(Some(sign), name))
+        {
+            found.push(sign.clone());
             at += 4;
             continue;
         }

@@ -1,7 +1,7 @@
 //! The typeset structure of a formula: groups, fences, fractions, scripts, accents, rows. Nothing has a meaning yet.
 //!
 //! `item` has the layout tree, `parser` builds it from tokens, `text` from a text with macros; `lengths` reads spaces with a
-//! length, `marks` the marks of derivatives that are set in bold or as words, `spelled` functions without a backslash; `delimiters` and `angles` pair what opens and closes, and `print` writes items as LaTeX again. `units` finds the
+//! length, `boxes` formulas in boxes of text, `marks` the marks of derivatives that are set in bold or as words, `spelled` functions without a backslash; `delimiters` and `angles` pair what opens and closes, and `print` writes items as LaTeX again. `units` finds the
 //! units after numbers, `values` the runs of items that are declared to be one quantity, and `rest` the terms that are left
 //! out at the end of a sum.
 //! [`layout`] cannot fail; what it does not understand becomes a [`Layout::Fault`] at its place.
@@ -16,6 +16,8 @@
 //! its bytes. Both steps are bounded: groups nest 64 deep, and a formula has at most 2¹⁸ bytes.
 
 mod angles;
+#[cfg(feature = "notes")]
+mod boxes;
 mod delimiters;
 mod item;
 #[cfg(feature = "notes")]

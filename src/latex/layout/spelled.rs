@@ -1,9 +1,10 @@
 //! Functions without a backslash before a parenthesis, where the letters can be no product: `cos(\phi)`, `mgl\,sin(\theta)`.
 //!
 //! Nobody multiplies c, o and s. `asin(x)` may be the arcsine or a product, and stays as it is; so does `sin x`, whose argument
-//! nothing encloses. `log` is taken for the function wherever it stands alone.
+//! nothing encloses. `log` is taken for the function wherever it stands alone. Units in italic letters are here too.
 
-use super::super::lexer::{Token, TokenKind};
+use super::super::lexer::{Space, Token, TokenKind};
+use crate::formula::units;
 
 /// The longer ones go before those that they end with.
 const FUNCTIONS: [&str; 14] =
@@ -41,6 +42,46 @@ pub(super) fn with_commands(tokens: Vec<Token>) -> Vec<Token> {
         at += length;
     }
     found
+}
+
+/// The same tokens, where italic letters after a number and a space are upright units: `1\ kWh = 3.6 \cdot 10^6\ J`.
+///
+/// Some words are units for sure in such a place. Only beside one of them is any other word or letter one.
+pub(super) fn with_units(tokens: Vec<Token>) -> Vec<Token> {
+    const SURE: [&str; 15] =
+        ["kWh", "Wh", "eV", "keV", "MeV", "GeV", "Hz", "kHz", "MHz", "GHz", "kW", "MW", "kPa", "MPa", "mol"];
+    let spots: Vec<(usize, String)> =
+        (1..tokens.len()).filter_map(|at| Some((at, word_after_a_number(&tokens, at)?))).collect();
+    if !spots.iter().any(|(_, word)| SURE.contains(&word.as_str())) {
+        return tokens;
+    }
+    let mut found = tokens;
+    for (at, word) in
+        spots.into_iter().rev().filter(|(_, word)| SURE.contains(&word.as_str()) || units::parse(word).is_ok())
+    {
+        let (start, end) = (at + 1, at + 1 + word.len());
+        let token = |kind: TokenKind, place: usize, found: &[Token]| Token { kind, span: found[place].span };
+        let style = token(TokenKind::Command("\\mathrm".to_owned()), start, &found);
+        let (open, close) = (token(TokenKind::Open, start, &found), token(TokenKind::Close, end - 1, &found));
+        found.insert(end, close);
+        found.splice(start..start, [style, open]);
+    }
+    found
+}
+
+/// The letters after the space at `at`, if a number stands before it and the term ends after them.
+fn word_after_a_number(tokens: &[Token], at: usize) -> Option<String> {
+    let is_after_number = matches!(tokens[at - 1].kind, TokenKind::Digit(_));
+    if tokens[at].kind != TokenKind::Space(Space::Thin) || !is_after_number {
+        return None;
+    }
+    let length = run(&tokens[at + 1..]);
+    let ends = tokens.get(at + 1 + length).is_none_or(|next| match &next.kind {
+        TokenKind::Space(Space::Wide) | TokenKind::Row | TokenKind::Align | TokenKind::Close => true,
+        TokenKind::Other(c) => "=+-,.;)<>".contains(*c),
+        _ => false,
+    });
+    (length > 0 && ends).then(|| tokens[at + 1..][..length].iter().filter_map(letter).collect())
 }
 
 /// The number of tokens of a word in `\text{…}` or the like that begins here.

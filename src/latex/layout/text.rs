@@ -6,12 +6,13 @@ use crate::source::{Fault, Span};
 use super::super::lexer::{Token, TokenKind, tokens};
 use super::super::macros::Macros;
 use super::super::normalize::normalized;
+use super::boxes::without_boxes;
 use super::item::Item;
 use super::lengths::with_plain_spaces;
 use super::marks::with_plain_marks;
 use super::parser::layout;
 use super::rest::with_rests;
-use super::spelled::with_commands;
+use super::spelled::{with_commands, with_units};
 
 /// The layout of a text, with its macros expanded and legacy commands normalized.
 ///
@@ -25,7 +26,7 @@ pub(crate) fn typeset_items(text: &str, macros: &Macros) -> Result<Vec<Item>, Fa
             .help("split it into several equations"));
     }
     let tokens = with_plain_spaces(with_ellipses(macros.expand(tokens(text))?));
-    let items = layout(&normalized(with_commands(with_plain_marks(tokens))), text.len());
+    let items = layout(&normalized(with_units(with_commands(with_plain_marks(without_boxes(tokens))))), text.len());
     Ok(with_rests(macros.values.named(items)))
 }
 
@@ -47,12 +48,40 @@ fn with_ellipses(tokens: Vec<Token>) -> Vec<Token> {
         let length = if points > 2 { points } else { 1 };
         let span = tokens[at].span.to(tokens[at + length - 1].span);
         let command = |name: &str| Token { kind: TokenKind::Command(name.to_owned()), span };
-        match points > 2 || tokens[at].kind == TokenKind::Other('…') {
-            true => found.push(command("\\dots")),
+        let is_ellipsis = points > 2
+            || tokens[at].kind == TokenKind::Other('…')
+            || matches!(&tokens[at].kind, TokenKind::Command(name) if name == "\\dots");
+        match is_ellipsis {
+            true => {
+                // `1, 2, 3...` is a list that goes on, and no product.
+                if ends_a_list(&found) && tokens.get(at + length).is_none_or(is_no_factor) {
+                    found.push(Token { kind: TokenKind::Other(','), span: Span::at(span.start) });
+                }
+                found.push(command("\\dots"));
+            }
             false if is_sign => found.push(command("\\cdot")),
             false => found.push(tokens[at].clone()),
         }
         at += length;
     }
     found
+}
+
+/// Whether tokens end with a whole number after a comma.
+fn ends_a_list(tokens: &[Token]) -> bool {
+    let is_space = |token: &&Token| matches!(token.kind, TokenKind::Space(_));
+    let is_digit = |token: &&Token| matches!(token.kind, TokenKind::Digit('0'..='9'));
+    let mut before = tokens.iter().rev().skip_while(is_space).peekable();
+    before.peek().is_some_and(is_digit)
+        && before
+            .skip_while(is_digit)
+            .find(|token| !is_space(token))
+            .is_some_and(|token| token.kind == TokenKind::Other(','))
+}
+
+fn is_no_factor(token: &Token) -> bool {
+    matches!(
+        token.kind,
+        TokenKind::Space(_) | TokenKind::Close | TokenKind::Row | TokenKind::Align | TokenKind::Other(_)
+    ) || matches!(&token.kind, TokenKind::Command(name) if name == "\\end" || name == "\\right")
 }

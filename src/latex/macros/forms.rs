@@ -9,6 +9,7 @@
 //! | `\qty(…)`, `\qty[…]`, `\qty{…}` | delimiters; `\qty{3}{kg}` is a number with a unit |
 //! | `\eval{f}_a^b`, `\order{x^3}` | the bar of an evaluation, a remainder |
 //! | `\mqty(…)`, `\mqty[…]` | a matrix |
+//! | `\pmatrix{a & b \cr c & d}` | a matrix, as plain TeX writes it; the same for `\matrix` and `\cases` |
 //! | `\sin[2](x)` | a power of a function |
 //! | `\braket{a|b}`, `\braket{a}{b}` | a product of states |
 //! | `\ev{A}`, `\expval{A}{\psi}` | a mean value, and one in a state |
@@ -25,7 +26,7 @@ const TOTAL: [&str; 8] = ["dv", "derivative", "od", "odv", "deriv", "der", "dn",
 const PARTIAL: [&str; 9] =
     ["pdv", "partialderivative", "pderivative", "pd", "pdiff", "pder", "pderiv", "partd", "diffp"];
 const FUNCTIONS: [&str; 9] = ["sin", "cos", "tan", "sinh", "cosh", "tanh", "sec", "csc", "cot"];
-const OTHERS: [&str; 19] = [
+const OTHERS: [&str; 22] = [
     "dd",
     "differential",
     "diff",
@@ -45,6 +46,9 @@ const OTHERS: [&str; 19] = [
     "ev",
     "expval",
     "expectationvalue",
+    "matrix",
+    "pmatrix",
+    "cases",
 ];
 
 /// Whether a command is one of these.
@@ -83,6 +87,10 @@ pub(super) fn expansion(
         "eval" | "evaluated" => Some(form.with("\\left.#1\\right|", pending)?),
         "order" => Some(form.with("\\mathcal{O}\\left(#1\\right)", pending)?),
         "mqty" => Some(form.matrix(pending)?),
+        "matrix" | "pmatrix" | "cases" => {
+            let body = format!("\\begin{{{name}}}#1\\end{{{name}}}");
+            group(pending).map(|rows| form.text(&body, &[rows]))
+        }
         "num" => Some(form.number(pending)?),
         "ang" => Some(form.with("{#1}^{\\circ}", pending)?),
         "e" if is_next(pending, &TokenKind::Super) => Some(form.text("\\mathrm{e}", &[])),
