@@ -30,7 +30,7 @@ pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
     evidence.list(items);
     evidence.at_the_same_place();
     let factors_d = coefficient_d::of(items);
-    evidence.differentials.alone |= factors_d.is_in_a_function;
+    evidence.differentials.alone |= factors_d.is_in_a_function || factors_d.is_factor;
     let Evidence { mut functions, primed, letters, differentials, variations, matrices, .. } = evidence;
     symbols.inferred.letters.extend(letters);
     for name in
@@ -123,16 +123,28 @@ impl Evidence {
         for arguments in self.functions.iter().filter_map(|(_, arguments)| arguments.as_ref()) {
             places.extend(arguments.split(", ").map(str::to_owned));
         }
-        for (name, is_usual, inside) in std::mem::take(&mut self.possible) {
+        let possible = std::mem::take(&mut self.possible);
+        for (name, is_usual, inside) in possible.clone() {
             let is_new = self.functions.iter().all(|(known, _)| *known != name);
             let is_another = || {
                 let is_it = |(known, _): &(Name, _)| known.base == name.base && !known.subscript.is_empty();
                 !name.subscript.is_empty() && self.functions.iter().any(is_it)
             };
             if is_new && inside.iter().any(|letter| places.contains(letter)) && (is_usual || is_another()) {
+                if let Some(twin) = self.twin(&name, &inside, &possible) {
+                    self.functions.push((twin, None));
+                }
                 self.functions.push((name, None));
             }
         }
+    }
+
+    /// The g of `f(x - ct) + g(x + ct)`: the letter after f, before a sum of the same letters.
+    fn twin(&self, name: &Name, inside: &[String], possible: &[(Name, bool, Vec<String>)]) -> Option<Name> {
+        let twin = Name { base: if name.base == "f" { "g" } else { "G" }.to_owned(), ..name.clone() };
+        let is_new = self.functions.iter().all(|(known, _)| *known != twin);
+        let is_same = |(other, _, letters): &(Name, bool, Vec<String>)| *other == twin && letters == inside;
+        (["f", "F"].contains(&name.base.as_str()) && is_new && possible.iter().any(is_same)).then_some(twin)
     }
 
     /// Looks at neighbours, then inside of each.

@@ -161,8 +161,8 @@ impl Piece<'_> {
             .map(|link| (link.relation, link.items.iter().map(|item| (*item).clone()).collect()))
             .collect();
         let mut relations: Vec<(Relation, Span)> = links.iter().filter_map(|(relation, _)| *relation).collect();
-        // A sum of which terms are left out equals nothing exactly.
-        for (at, relation) in relations.iter_mut().enumerate() {
+        // A sum of which terms are left out equals nothing exactly, where a value is needed.
+        for (at, relation) in relations.iter_mut().enumerate().filter(|_| !symbols.may_be_abstract) {
             if links[at..at + 2].iter().any(|(_, items)| has_rest(items)) && relation.0 == Relation::Equal {
                 relation.0 = Relation::Approximately;
             }

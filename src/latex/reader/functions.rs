@@ -170,6 +170,11 @@ impl Reader<'_> {
                 continue;
             }
             let Some(mut printed) = names::printed(item, self.branch) else { break };
+            // `\cos\theta\,\mathbf{e}_x`: no argument has a vector as its last factor.
+            let dot_follows = || items.get(run.end + 1).and_then(joint).is_some();
+            if !run.symbols.is_empty() && is_direction(&printed.name) && !dot_follows() {
+                break;
+            }
             // `\cos\Delta\theta`: Δ and its letter are one symbol.
             if let Some(difference) = self.difference(item, items.get(run.end + 1)) {
                 printed = difference;
@@ -348,6 +353,15 @@ impl Reader<'_> {
         let printed = names::printed(only, None).filter(|printed| printed.dots == 0 && printed.sup.is_none());
         printed.map(|printed| printed.name) == self.symbols.time
     }
+}
+
+/// Whether a name is a vector by its markup: bold, with an arrow, or a unit vector along a direction.
+fn is_direction(name: &Name) -> bool {
+    const DIRECTIONS: [&str; 12] = ["i", "j", "k", "x", "y", "z", "r", "e", "n", "\\theta", "\\phi", "\\varphi"];
+    let hat = name.base.strip_prefix("\\hat{").and_then(|base| base.strip_suffix('}'));
+    let is_small = |letter: &str| letter.starts_with(|c: char| c.is_lowercase());
+    let bold = name.base.strip_prefix("\\mathbf{").or_else(|| name.base.strip_prefix("\\vec{"));
+    hat.is_some_and(|letter| DIRECTIONS.contains(&letter)) || bold.is_some_and(is_small)
 }
 
 /// A function without a value of its own, written out: coth is 1/tanh, arsinh x is ln(x + √(x² + 1)).

@@ -12,7 +12,7 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
-use super::items::{contents, is_number, is_numeric_item, is_transpose, whole_number};
+use super::items::{contents, is_minus_one, is_number, is_numeric_item, is_transpose, whole_number};
 use super::state::{Read, Reader};
 
 /// A term `a/bc` as a fraction.
@@ -129,6 +129,7 @@ impl Reader<'_> {
                     "\\star",
                     "\\perp",
                     "\\parallel",
+                    "\\sharp",
                     "\\pm",
                     "\\mp",
                 ]
@@ -162,6 +163,10 @@ impl Reader<'_> {
                     .help("write indices as a subscript; write a power as (x_1)^{n_2}"));
             }
         }
+        if self.is_element_of_an_inverse(base, sup) {
+            return Err(Fault::ambiguous(span, "this may be an element of the inverse, or one over an element")
+                .help("write (F^{-1})_{ij} or \\frac{1}{F_{ij}}"));
+        }
         let letters: Option<Vec<String>> = marks.iter().map(|item| letter(item)).collect();
         let letters = letters.unwrap_or_default();
         let is_index = |letter: &String| self.symbols.index(letter).is_some();
@@ -178,6 +183,15 @@ impl Reader<'_> {
             true => is_unlikely_index(self.name_of(base), base, &letters, sup, span),
             false => Ok(()),
         }
+    }
+
+    /// `F_{ji}^{-1}` beside a matrix `\mathbf{F}`.
+    pub(in super::super) fn is_element_of_an_inverse(&self, base: &Expr, sup: &Item) -> bool {
+        let (letter, subscript) = self.name_of(base);
+        let is_index = |token: &String| token.len() == 1 && token.starts_with(|c: char| c.is_lowercase());
+        let has_indices = matches!(subscript, [first, second] if is_index(first) && is_index(second));
+        let matrix = Name::plain(format!("\\mathbf{{{letter}}}"));
+        has_indices && is_minus_one(sup) && self.symbols.infers() && self.symbols.find(&matrix).is_some()
     }
 
     /// Whether an item is a declared name.

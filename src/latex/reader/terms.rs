@@ -71,6 +71,12 @@ impl Reader<'_> {
         if let Some((_, span)) = pending {
             return Err(Fault::new(span, "no term follows this sign"));
         }
+        if terms.len() > 1
+            && let Some(dots) = dots_after_a_factor(items)
+        {
+            let what = "these dots may stand for further factors or for further terms";
+            return Err(Fault::ambiguous(dots, what).help("write + \\dots for terms that are left out"));
+        }
         match terms.len() {
             0 => Err(Fault::new(whole, "a formula is missing here")),
             1 if terms[0].sign == Sign::Plus => Ok(terms.remove(0).expr),
@@ -203,7 +209,7 @@ impl Reader<'_> {
             }
             let start = cursor;
             let (factor, enclosed) = self.factor(items, &mut cursor)?;
-            let factor = self.with_what_follows(factor, items, &mut cursor);
+            let factor = self.with_what_follows(factor, items, &mut cursor)?;
             if matches!(item.layout, Layout::Group(_)) && matches!(factor.node, Node::Sum(_)) && items.len() > 1 {
                 return Err(Fault::ambiguous(
                     factor.span,
@@ -452,4 +458,12 @@ fn length(number: &Expr) -> Option<Span> {
         Node::Norm(_) => Some(number.span),
         _ => None,
     }
+}
+
+/// Where dots stand directly after a factor at the end: `a_1 x + a_2 x^2 \dots`.
+fn dots_after_a_factor(items: &[Item]) -> Option<Span> {
+    let mut last = items.iter().rev().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    let dots = last.next().filter(|item| matches!(&item.layout, Layout::Command(name) if name == "\\dots"))?;
+    let is_sign = |item: &Item| matches!(item.layout, Layout::Other(_)) || joint(item).is_some();
+    last.next().filter(|before| !is_sign(before)).map(|_| dots.span)
 }

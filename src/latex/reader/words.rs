@@ -92,6 +92,10 @@ fn start(item: &Item) -> Option<(String, Span)> {
 fn is_no_word(word: &str, span: Span, symbols: &Symbols) -> Read<()> {
     let (open, is_abstract, is_guessed) = (symbols.open, symbols.is_abstract(), symbols.guessed);
     let apart = "for a product, put a space \\, between the letters";
+    // `e^{it}`
+    if word == "it" && symbols.imaginary_here {
+        return Ok(());
+    }
     let function = FUNCTIONS.iter().find(|name| word.contains(**name));
     if let Some(name) = function.or(SHORT.iter().find(|name| word == **name)) {
         let help = match *name == "sqrt" || Function::named(name).is_some() {

@@ -9,7 +9,7 @@
 use crate::formula::symbols::{Kind, Name, Symbols};
 use crate::source::Span;
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::{Delimiter, Item, Layout};
 use super::super::super::names::{self, Printed};
 use super::super::super::rows::relation;
 use super::super::items::{contents, is_minus_one, is_transpose, parts};
@@ -85,11 +85,13 @@ fn collect(items: &[Item], found: &mut Vec<(Name, Kind)>) {
             // `I` is the unit matrix beside another.
             found.extend(matrices.filter(|printed| printed.name.base != "I").map(|printed| (printed.name, SQUARE)));
         }
-        if let ([left, equal, right, rest @ ..], Some(Printed { name, sup: None, .. })) = (&solid[at..], name_of(item))
-            && left.span == item.span
-            && relation(equal).is_some()
+        let is_defined = matches!(solid.get(at + 1).map(|next| &next.layout), Some(Layout::Other(':')));
+        let equal = at + 1 + usize::from(is_defined);
+        if let (Some([sign, right, rest @ ..]), Some(Printed { name, sup: None, .. })) =
+            (solid.get(equal..), name_of(item))
+            && relation(sign).is_some()
             && (at == 0 || is_break(solid[at - 1]))
-            && let Some((rows, columns)) = diagonal(right, rest).or_else(|| size_of_product(&solid[at + 2..]))
+            && let Some((rows, columns)) = diagonal(right, rest).or_else(|| size_of_product(&solid[equal + 1..]))
         {
             let kind = match (rows, columns) {
                 (1, 1) => Kind::Scalar,
@@ -294,7 +296,26 @@ fn has_upright(items: &[Item], letter: char) -> bool {
 
 /// Whether the letter i must be √−1 here.
 fn has_imaginary_unit(items: &[Item]) -> bool {
-    (is_evident(items) || has_hbar(items) && mentions(items)) && !is_index(items)
+    (is_evident(items) || (has_hbar(items) || has_states(items)) && mentions(items)) && !is_index(items)
+}
+
+/// Whether a product of states stands anywhere, `\langle a|A|b\rangle`, and i is the name of none: it is no current beside it.
+fn has_states(items: &[Item]) -> bool {
+    fn states<'i>(items: &'i [Item], found: &mut Vec<&'i [Item]>) {
+        let is_bar = |item: &&Item| item.layout == Layout::Other('|');
+        for item in items {
+            match &item.layout {
+                Layout::Fence(Delimiter::Bra | Delimiter::Ket, inside) => found.push(inside),
+                Layout::Fence(Delimiter::Angle, inside) if inside.iter().filter(is_bar).count() == 2 => {
+                    found.push(inside)
+                }
+                _ => parts(item).into_iter().for_each(|part| states(part, found)),
+            }
+        }
+    }
+    let mut found = Vec::new();
+    states(items, &mut found);
+    !found.is_empty() && !found.into_iter().any(mentions)
 }
 
 /// Whether ħ stands anywhere: i is no current in such a display.

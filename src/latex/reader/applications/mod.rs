@@ -26,7 +26,7 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
-use super::items::{differential, function_head, is_lone};
+use super::items::{differential, function_head, is_lone, is_minus_one};
 use super::state::{Read, Reader};
 pub(super) use inside::are_names;
 use inside::{
@@ -62,11 +62,17 @@ impl Reader<'_> {
             Some(next) => match self.is_a_product(id, span, next) {
                 // `V(1/u)` is shown as it is printed: nobody puts a single factor of a product in parentheses. A letter that
                 // is no usual name of a function is refused, as in `ie(\partial_\mu A_\nu)`.
-                Err(_) if self.is_abstract() && sup.is_none() && self.is_applied(id, next) => {
+                Err(_)
+                    if self.is_abstract()
+                        && (sup.is_none() || sup.is_some_and(is_minus_one) && self.is_transform(id, next))
+                        && self.is_applied(id, next) =>
+                {
                     let argument = self.item(next)?;
                     *cursor += 1;
                     let whole = span.to(argument.span);
                     let template = match &next.layout {
+                        Layout::Fence(Delimiter::Curly, _) if sup.is_some() => "#^{-1}\\{#\\}",
+                        Layout::Fence(_, _) if sup.is_some() => "#^{-1}[#]",
                         Layout::Fence(Delimiter::Curly, _) => "#\\{#\\}",
                         Layout::Fence(Delimiter::Square, _) => "#[#]",
                         _ => "#(#)",
@@ -95,6 +101,9 @@ impl Reader<'_> {
         cursor: &mut usize,
     ) -> Read<Option<Expr>> {
         let Some((fence, inside)) = items.get(*cursor).and_then(parenthesis) else { return Ok(None) };
+        if let Some(found) = self.at_an_instant(expr, sup, fence, cursor)? {
+            return Ok(Some(found));
+        }
         let is_comma = |item: &&Item| matches!(item.layout, Layout::Other(',' | ';'));
         // `y = k(0) + c` puts in a number.
         let is_constant = ["k", "c", "b", "l"].contains(&self.symbols.entry(id).name.base.as_str());
@@ -120,7 +129,7 @@ impl Reader<'_> {
         let is_product = is_pair
             || has_indices
             || is_bracketed
-            || sup.is_some_and(super::items::is_transpose)
+            || sup.is_some_and(super::items::is_transpose) && !is_call
             || sup.is_some() && !is_function(entry) && inside.len() > 1
             || is_vector && has_operator;
         let named = match sup {
@@ -146,6 +155,28 @@ impl Reader<'_> {
         }
     }
 
+    /// `x(t = 0)`: the value where the argument is the one that is given. No factor holds an equation.
+    fn at_an_instant(
+        &mut self,
+        expr: &Expr,
+        sup: Option<&Item>,
+        fence: &Item,
+        cursor: &mut usize,
+    ) -> Read<Option<Expr>> {
+        let Layout::Fence(Delimiter::Round, inside) = &fence.layout else { return Ok(None) };
+        let sides: Vec<&[Item]> = inside.split(|item| item.layout == Layout::Other('=')).collect();
+        let ([argument, value], None) = (sides.as_slice(), sup) else { return Ok(None) };
+        let is_name = |item: &Item| names::printed(item, None).is_some_and(|found| found.sup.is_none());
+        let mut solid = argument.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+        if !solid.next().is_some_and(is_name) || solid.next().is_some() {
+            return Ok(None);
+        }
+        *cursor += 1;
+        let (left, right) = (self.sum(argument, fence.span)?, self.sum(value, fence.span)?);
+        let span = expr.span.to(fence.span);
+        Ok(Some(self.template("#(#=#)", vec![expr.clone(), left, right], span)))
+    }
+
     /// Takes a name out of the real numbers, since it stands before its argument.
     fn is_shown_as_a_function(&mut self, id: SymbolId) {
         let entry = self.symbols.entry_mut(id);
@@ -158,10 +189,7 @@ impl Reader<'_> {
     fn is_applied(&self, id: SymbolId, next: &Item) -> bool {
         let Layout::Fence(delimiter, inside) = &next.layout else { return false };
         let entry = self.symbols.entry(id);
-        // `\mathcal{F}\{f(x)\}`, `\mathcal{L}[f]`: a transform, whatever stands in it.
-        let is_transform = matches!(delimiter, Delimiter::Curly | Delimiter::Square)
-            && ["\\mathcal{", "\\mathscr{", "\\mathfrak{"].iter().any(|style| entry.name.base.starts_with(style));
-        if is_transform && !inside.iter().any(relation_or_comma) {
+        if self.is_transform(id, next) && !inside.iter().any(relation_or_comma) {
             return !inside.is_empty();
         }
         if *delimiter != Delimiter::Round {
@@ -177,6 +205,13 @@ impl Reader<'_> {
             && !inside.is_empty()
             && !has_nabla(inside)
             && self.is_argument_by_its_letters(entry, inside)
+    }
+
+    /// `\mathcal{F}\{f(x)\}`, `\mathcal{L}[f]`: a transform, whatever stands in it.
+    fn is_transform(&self, id: SymbolId, next: &Item) -> bool {
+        let base = &self.symbols.entry(id).name.base;
+        matches!(next.layout, Layout::Fence(Delimiter::Curly | Delimiter::Square, _))
+            && ["\\mathcal{", "\\mathscr{", "\\mathfrak{"].iter().any(|style| base.starts_with(style))
     }
 
     /// Whether one term in a parenthesis is more likely an argument than a factor: not a product of letters of which none is a place, a
@@ -278,6 +313,9 @@ impl Reader<'_> {
         let Some((fence, inside)) = parenthesis(next) else { return Ok(()) };
         let entry = self.symbols.entry(id);
         let name = &entry.name;
+        if self.symbols.open && self.is_a_product_by_its_brackets(id, fence) {
+            return Ok(());
+        }
         // ħ is no function.
         if self.symbols.open && name.base == "\\hbar" && !inside.iter().any(|item| relation_or_comma(item)) {
             return Ok(());
@@ -343,6 +381,25 @@ impl Reader<'_> {
             true => ambiguous(),
             false => Ok(()),
         }
+    }
+
+    /// Whether braces hold a sum, `D\{a + b\}`, or a coefficient stands before brackets around parentheses, `a[(b + c) + d]`.
+    /// The arguments of a function stand in neither.
+    fn is_a_product_by_its_brackets(&self, id: SymbolId, fence: &Item) -> bool {
+        let Layout::Fence(delimiter, inside) = &fence.layout else { return false };
+        let name = &self.symbols.entry(id).name;
+        let is_sum = inside.iter().skip(1).any(|item| self.is_sign(item));
+        let holds = |of: &dyn Fn(&Item) -> bool| inside.iter().any(of);
+        let is_enclosed = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::Round, _));
+        const COEFFICIENTS: [&str; 9] = ["a", "b", "c", "k", "A", "B", "C", "\\alpha", "\\lambda"];
+        is_sum
+            && !holds(&relation_or_comma)
+            && name.primes == 0
+            && match delimiter {
+                Delimiter::Curly => name.base.chars().all(char::is_alphabetic),
+                Delimiter::Square => COEFFICIENTS.contains(&name.base.as_str()) && holds(&is_enclosed),
+                _ => false,
+            }
     }
 
     /// Rejects a parenthesis directly after a quantity if it holds a number, a lone name or a list: `x(0)`, `f(x)`,

@@ -1,7 +1,7 @@
 //! States and mean values, `|a\rangle`, `\langle a|H|b\rangle`, `\langle x^2\rangle`; pairs in brackets, `[A, B]`, `\{f, g\}`;
 //! tuples, intervals and sets.
 
-use crate::formula::tree::Expr;
+use crate::formula::tree::{Expr, Sign};
 use crate::source::Fault;
 
 use super::super::super::layout::{Delimiter, Item, Layout};
@@ -17,8 +17,8 @@ impl Reader<'_> {
         let span = item.span;
         let commas = inside.iter().filter(|item| is_separator(item)).count();
         Ok(Some(match delimiter {
-            Delimiter::Ket => self.template(&format!("|{}\\rangle", printed(inside)), Vec::new(), span),
-            Delimiter::Bra => self.template(&format!("\\langle {}|", printed(inside)), Vec::new(), span),
+            Delimiter::Ket => self.template(&format!("|{}\\rangle", self.by_sign(inside)), Vec::new(), span),
+            Delimiter::Bra => self.template(&format!("\\langle {}|", self.by_sign(inside)), Vec::new(), span),
             Delimiter::Angle => self.angle(inside, item)?,
             Delimiter::RightOpen | Delimiter::LeftOpen if commas == 1 => {
                 let template = if *delimiter == Delimiter::RightOpen { "[#, #)" } else { "(#, #]" };
@@ -70,16 +70,28 @@ impl Reader<'_> {
                 let inner = self.sum(only, item.span)?;
                 Ok(self.template("\\langle #\\rangle", vec![inner], item.span))
             }
-            [bra, ket] => {
-                Ok(self.template(&format!("\\langle {}|{}\\rangle", printed(bra), printed(ket)), Vec::new(), item.span))
-            }
+            [bra, ket] => Ok(self.template(
+                &format!("\\langle {}|{}\\rangle", self.by_sign(bra), self.by_sign(ket)),
+                Vec::new(),
+                item.span,
+            )),
             [bra, operator, ket] => {
                 let inner = self.sum(operator, item.span)?;
-                let template = format!("\\langle {}|#|{}\\rangle", printed(bra), printed(ket));
+                let template = format!("\\langle {}|#|{}\\rangle", self.by_sign(bra), self.by_sign(ket));
                 Ok(self.template(&template, vec![inner], item.span))
             }
             _ => Err(Fault::unsupported(item.span, "more than two bars in angle brackets are not supported")
                 .help("write each product of states in brackets of its own")),
+        }
+    }
+
+    /// The text of a label, where ± is the sign of the statement that is being read.
+    pub(super) fn by_sign(&self, items: &[Item]) -> String {
+        let text = printed(items);
+        match self.branch {
+            None => text,
+            Some(Sign::Plus) => text.replace("\\pm", "+").replace("\\mp", "-"),
+            Some(Sign::Minus) => text.replace("\\pm", "-").replace("\\mp", "+"),
         }
     }
 

@@ -6,6 +6,7 @@
 //! | two of i to s, of which one stands below a letter too, or which stand above another letter too | indices |
 //! | a letter that stands below a letter, ∂ or ∇ in the same display, and is bound by no Σ | may be an index |
 //! | the same beside letters with two indices above | indices |
+//! | a Greek letter above two letters, beside one that stands above and below | indices |
 //! | a Greek letter that stands below a letter too, or above one that equals a list, `A^\alpha = (\phi, \vec A)` | indices |
 //!
 //! What may be an index is no power where nobody has declared it.
@@ -96,6 +97,12 @@ impl Found {
             // `\partial_\alpha F^{\beta\alpha} = \mu_0 j^\beta`
             let in_a_run = |letter: &&String| runs.iter().any(|run| run.contains(letter));
             certain.extend(self.alone.iter().filter(in_a_run).cloned());
+        }
+        // `W^\alpha = J^\alpha{}_\beta V^\beta`: beside a letter that stands above and below, another one above two letters.
+        if !certain.is_empty() {
+            let is_again = |letter: &&String| self.alone.iter().filter(|other| other == letter).count() > 1;
+            let is_free = |letter: &&String| !self.bound.contains(*letter) && !self.powers.contains(*letter);
+            certain.extend(self.alone.iter().filter(is_greek).filter(is_again).filter(is_free).cloned());
         }
         certain.extend(self.of_a_list.iter().cloned());
         certain.extend(runs.into_iter().flatten().cloned());

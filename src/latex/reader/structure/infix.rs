@@ -18,7 +18,7 @@ const PRODUCTS: [&str; 7] = ["\\otimes", "\\circ", "\\ast", "\\star", "\\odot", 
 const SUMS: [&str; 5] = ["\\oplus", "\\cup", "\\cap", "\\setminus", "\\ominus"];
 
 /// Signs that bind less than a sum, and state something of both sides.
-const RELATIONS: [&str; 28] = [
+const RELATIONS: [&str; 32] = [
     "\\in",
     "\\notin",
     "\\ni",
@@ -47,6 +47,10 @@ const RELATIONS: [&str; 28] = [
     "\\leadsto",
     "\\rightsquigarrow",
     "\\colon",
+    "\\prec",
+    "\\preceq",
+    "\\succ",
+    "\\succeq",
 ];
 
 /// Signs of a map, before which a colon binds less than they do: `f : A \to B`.
@@ -59,7 +63,7 @@ impl Reader<'_> {
         // The bar of `P(A|B)` too; one with a place below it belongs to what stands before.
         let has_map = items.iter().any(|item| sign(item, &MAPS));
         let is_relation = |item: &Item| {
-            sign(item, &RELATIONS)
+            states(item)
                 || item.layout == Layout::Other('|')
                 || item.layout == Layout::Other(':') && (has_map || !is_between_factors(items))
         };
@@ -166,8 +170,8 @@ impl Reader<'_> {
                 Layout::Other(c) => format!(" {c} #"),
                 Layout::Command(name) => format!(" {name} #"),
                 Layout::Text(word) => format!("\\text{{ {word} }}#"),
-                // `\xrightarrow{…}`
-                _ => " \\rightarrow #".to_owned(),
+                // `\rightarrow^{a = 1}`
+                _ => format!(" {} #", printed(std::slice::from_ref(item))),
             });
         }
         let mut is_set = false;
@@ -179,7 +183,7 @@ impl Reader<'_> {
             parts.push(match is_blank {
                 true => self.template("", Vec::new(), place),
                 // A set has a name of its own, `SE(3)`, `C^\infty(M)`.
-                false if is_set && is_group(part) => self.label(part, place),
+                false if is_set && (is_group(part) || is_number_set(part)) => self.label(part, place),
                 false => match self.sum(part, place) {
                     Err(_) if is_set && part.iter().all(is_part_of_a_set) => self.label(part, place),
                     found => found?,
@@ -235,6 +239,17 @@ impl Reader<'_> {
     }
 }
 
+/// Whether an item is a sign that states something of both sides, and is no relation between numbers.
+pub(in super::super::super) fn states(item: &Item) -> bool {
+    sign(item, &RELATIONS) || is_arrow_with_a_condition(item)
+}
+
+/// Whether an item is an arrow with a script: `\rightarrow^{a = 1}`.
+fn is_arrow_with_a_condition(item: &Item) -> bool {
+    let Layout::Scripts { nucleus, primes: 0, .. } = &item.layout else { return false };
+    sign(nucleus, &["\\rightarrow", "\\longrightarrow"])
+}
+
 /// Whether each colon stands between two factors, as in the double contraction `\sigma : \epsilon`.
 fn is_between_factors(items: &[Item]) -> bool {
     let is_factor = |item: Option<&Item>| {
@@ -287,6 +302,14 @@ fn is_group(part: &[Item]) -> bool {
         }
         _ => false,
     }
+}
+
+/// `\mathbb{R}^{6\times n}`: what stands above a set of numbers is no power.
+fn is_number_set(part: &[Item]) -> bool {
+    let is_set = |item: &Item| matches!(&item.layout, Layout::Style(style, _) if style == "\\mathbb");
+    let mut solid = part.iter().filter(|item| !matches!(item.layout, Layout::Space(_) | Layout::Other('.')));
+    let only = solid.next().filter(|_| solid.next().is_none());
+    only.is_some_and(|only| matches!(&only.layout, Layout::Scripts { nucleus, .. } if is_set(nucleus)) || is_set(only))
 }
 
 /// Letters, numbers and parentheses: the name of a set.

@@ -30,7 +30,7 @@ mod scripts;
 pub(in super::super) use acting::note_acting;
 pub(in super::super) use evidence::{is_function_letter, note};
 pub(in super::super) use indices::{note_indices, note_possible_indices};
-pub(in super::super) use infix::is_prose;
+pub(in super::super) use infix::{is_prose, states};
 pub(super) use operators::is_material;
 
 use crate::formula::symbols::{Kind, Name, Operator};

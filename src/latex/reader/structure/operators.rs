@@ -7,8 +7,9 @@ use crate::source::{Fault, Span};
 use super::super::super::layout::{Delimiter, Item, Layout};
 use super::super::super::names;
 use super::super::super::rows::relation;
-use super::super::items::{contents, differential, joint, whole_number};
+use super::super::items::{contents, differential, is_any_integral, is_big_sum, joint, whole_number};
 use super::super::state::{Read, Reader};
+use super::super::undeclared::is_constant_before_an_integral;
 use super::{is_prose, printed};
 
 impl Reader<'_> {
@@ -115,11 +116,17 @@ impl Reader<'_> {
     }
 
     /// A factor with the factorial, the further indices or the evaluation that follows it.
-    pub(in super::super) fn with_what_follows(&mut self, factor: Expr, items: &[Item], cursor: &mut usize) -> Expr {
+    pub(in super::super) fn with_what_follows(
+        &mut self,
+        factor: Expr,
+        items: &[Item],
+        cursor: &mut usize,
+    ) -> Read<Expr> {
         if !self.is_abstract() {
-            return factor;
+            return Ok(factor);
         }
         let mut factor = self.factorial(factor, items, cursor);
+        factor = self.applied_to_a_list(factor, items, cursor)?;
         while let Some(next) = items.get(*cursor)
             && is_bare_script(next)
             && next.span.start == items[*cursor - 1].span.end
@@ -129,7 +136,29 @@ impl Reader<'_> {
             let span = factor.span.to(next.span);
             factor = self.template(&format!("#{}", printed(std::slice::from_ref(next))), vec![factor], span);
         }
-        factor
+        Ok(factor)
+    }
+
+    /// `(\nabla_v g)(V, W)`: what stands in a parenthesis is a function of the list after it, which cannot be a factor.
+    fn applied_to_a_list(&mut self, factor: Expr, items: &[Item], cursor: &mut usize) -> Read<Expr> {
+        let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
+        let before = cursor.checked_sub(1).map(|at| &items[at]).filter(|before| is_parenthesis(before));
+        let (Some(before), Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span })) =
+            (before, items.get(*cursor))
+        else {
+            return Ok(factor);
+        };
+        if !inside.iter().any(is_comma) || before.span.end != span.start {
+            return Ok(factor);
+        }
+        *cursor += 1;
+        let whole = factor.span.to(*span);
+        let mut parts = vec![factor];
+        for argument in inside.split(is_comma) {
+            parts.push(self.sum(argument, *span)?);
+        }
+        let holes = vec!["#"; parts.len() - 1].join(", ");
+        Ok(self.template(&format!("(#)({holes})"), parts, whole))
     }
 
     /// A fraction that is a derivative by anything, with what it acts on; `None` for another fraction.
@@ -186,8 +215,9 @@ impl Reader<'_> {
     /// ∂ or ∇ with an index or alone, a box, `\frac{d}{dt}` without an operand.
     pub(in super::super) fn abstract_operator(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
         let item = &items[*cursor];
+        // `\partial'_\mu`, the derivative by other coordinates.
         let nucleus = match &item.layout {
-            Layout::Scripts { nucleus, primes: 0, .. } => nucleus,
+            Layout::Scripts { nucleus, .. } => nucleus,
             _ => item,
         };
         let nucleus = match &nucleus.layout {
@@ -229,9 +259,13 @@ impl Reader<'_> {
         let next = items[*cursor..].iter().position(|item| !matches!(item.layout, Layout::Space(_)));
         let Some(next) = next.map(|at| *cursor + at).filter(|at| joint(&items[*at]).is_none()) else { return Ok(None) };
         *cursor = next;
+        if is_constant_before_an_integral(&items[next..]) {
+            *cursor = items.len();
+            return self.term(&items[next..]).map(Some);
+        }
         let (factor, _) = self.factor(items, cursor)?;
         // `\partial_\lambda R^\mu{}_{\nu}` is the derivative of all of it.
-        let factor = self.with_what_follows(factor, items, cursor);
+        let factor = self.with_what_follows(factor, items, cursor)?;
         let follows = items[*cursor..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
         let touches = items.get(*cursor).is_some_and(|item| !matches!(item.layout, Layout::Space(_)));
         // `\nabla\cdot\nu[\nabla u]`, `\nabla\cdot k\nabla T` too.
@@ -240,7 +274,9 @@ impl Reader<'_> {
             Layout::Command(name) => name == "\\nabla",
             _ => false,
         };
-        let is_name = follows.is_some_and(|item| names::printed(item, None).is_some() || is_factor(item));
+        let is_name = follows.is_some_and(|item| {
+            names::printed(item, None).is_some() || is_factor(item) || is_any_integral(item) || is_big_sum(item)
+        });
         if is_name && touches && !matches!(items[next].layout, Layout::Fence(..)) {
             return Err(Fault::ambiguous(
                 items[next].span.to(items[*cursor].span),

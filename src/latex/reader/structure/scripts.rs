@@ -18,7 +18,7 @@ impl Reader<'_> {
     pub(in super::super) fn marked(&mut self, base: &Expr, sup: &Item, span: Span) -> Read<Option<Expr>> {
         let shape = self.shape_of(base)?;
         let has_no_powers = matches!(shape, Shape::Abstract | Shape::Vector | Shape::Matrix(..));
-        let text = printed(contents(sup));
+        let text = self.by_sign(contents(sup));
         let is_number = matches!(base.node, Node::Number(_));
         let is_mark = match is_transpose(sup) {
             true => has_no_powers || self.symbols.inferred.has_transposes,
@@ -29,6 +29,7 @@ impl Reader<'_> {
                     || !is_number && is_word(sup)
                     || !is_number && self.is_index(sup)
                     || self.is_component(base, sup)
+                    || self.is_element_of_an_inverse(base, sup)
                     || self.has_subscript(base) && is_lone_letter(sup)
                     || self.has_indices(base) && names::printed(sup, None).is_some_and(|found| found.sup.is_none())
                     || has_no_powers && (is_minus_one(sup) || whole_number(sup).is_none())

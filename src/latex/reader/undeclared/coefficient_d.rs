@@ -5,6 +5,7 @@
 
 use super::super::super::layout::{Item, Layout};
 use super::super::super::names;
+use super::super::super::rows::relation;
 use super::super::items::{contents, differential, function_head, is_any_integral};
 
 /// What a display shows about its d.
@@ -39,6 +40,7 @@ impl Evidence {
             self.is_factor |= with_d && without;
             self.is_in_a_function |= among_factors || with_d && without;
         }
+        self.is_factor |= !in_function && is_polynomial(&solid);
         for (at, item) in solid.iter().enumerate() {
             self.has_integral |= is_any_integral(item);
             let is_argument = at > 0 && matches!(function_head(solid[at - 1]), Ok(Some(_)));
@@ -56,7 +58,13 @@ impl Evidence {
                     self.list(contents(below), in_function);
                 }
             }
-            Layout::Root(_, inner) => self.list(contents(inner), in_function),
+            Layout::Root(_, inner) => {
+                // `\sqrt{d\alpha}`: nobody takes the root of one differential.
+                let inner: Vec<&Item> =
+                    contents(inner).iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+                self.is_in_a_function |= is_product(&inner, true) && inner.len() == 2;
+                self.list(&inner.into_iter().cloned().collect::<Vec<_>>(), in_function);
+            }
             Layout::Scripts { nucleus, sup, .. } => {
                 self.inside(nucleus, in_function);
                 if let Some(sup) = sup
@@ -77,4 +85,18 @@ fn is_product(items: &[&Item], by_d: bool) -> bool {
     let is_d = differential(first).is_some();
     let is_plain = |item: &Item| names::printed(item, None).is_some_and(|found| found.dots == 0);
     is_d == by_d && is_plain(first) && is_plain(second)
+}
+
+/// Whether d is a coefficient of a polynomial, `a t^3 + b t^2 + d t`: two other letters stand before powers of the letter after it.
+fn is_polynomial(solid: &[&Item]) -> bool {
+    let divides = |item: &&Item| matches!(item.layout, Layout::Other('+' | '-')) || relation(item).is_some();
+    let terms = || solid.split(divides);
+    let variable = |item: &Item| names::printed(item, None).filter(|found| found.dots == 0).map(|found| found.name);
+    let Some(of_d) = terms().find(|term| is_product(term, true) && term.len() == 2) else { return false };
+    let power = |item: &Item| matches!(&item.layout, Layout::Scripts { sub: None, sup: Some(_), primes: 0, .. });
+    let has_same = |term: &[&Item]| {
+        matches!(term, [first, second] if power(second) && !power(first)
+            && differential(first).is_none() && variable(second) == variable(of_d[1]))
+    };
+    terms().filter(|term| has_same(term)).count() > 1
 }

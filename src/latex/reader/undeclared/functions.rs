@@ -72,6 +72,13 @@ impl Reader<'_> {
         let mut above = None;
         let mut whole = span;
         let mut value = None;
+        if let Some((inside, _, place)) = next
+            && self.is_at_another_place(&printed.name, inside)
+        {
+            let what = format!("{}(…) may be a function or a product", printed.name);
+            return Err(Fault::ambiguous(span.to(place), what)
+                .help("for a product, put a thin space \\, before the parenthesis"));
+        }
         if let Some((inside, sup, place)) = next {
             whole = span.to(place);
             above = sup;
@@ -108,6 +115,19 @@ impl Reader<'_> {
             value = self.raised(value, sup, whole)?;
         }
         Ok(Some(value))
+    }
+}
+
+impl Reader<'_> {
+    /// `\sigma(1 - P_1)` beside `\sigma(u)`: what stands in the parenthesis has nothing of the letter of which the name is a function.
+    fn is_at_another_place(&self, name: &Name, inside: &[Item]) -> bool {
+        let Some(Some(argument)) = self.symbols.inferred.functions.get(name) else { return false };
+        let text = super::super::structure::printed(inside);
+        let starts_with_number = inside.first().is_some_and(|first| matches!(first.layout, Layout::Number(_)));
+        let is_sum = inside.iter().any(|item| matches!(item.layout, Layout::Other('+' | '-')));
+        let has_subscript =
+            |item: &Item| names::printed(item, None).is_some_and(|found| !found.name.subscript.is_empty());
+        starts_with_number && is_sum && inside.iter().any(has_subscript) && !text.contains(argument.as_str())
     }
 }
 

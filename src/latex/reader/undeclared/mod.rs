@@ -32,6 +32,7 @@ use crate::source::Span;
 
 use super::super::layout::{Item, Layout};
 use super::super::names;
+use super::items::{contents, is_any_integral, is_big_sum};
 use super::state::{Read, Reader};
 
 impl Reader<'_> {
@@ -64,6 +65,11 @@ impl Reader<'_> {
         }
         let missing = || crate::source::Fault::new(operator, "no formula follows this operator");
         let first = items.get(*cursor).ok_or_else(missing)?;
+        if is_constant_before_an_integral(&items[*cursor..]) {
+            let rest = &items[*cursor..];
+            *cursor = items.len();
+            return self.term(rest);
+        }
         if matches!(first.layout, Layout::Fence(..)) {
             *cursor += 1;
             return self.item(first);
@@ -71,7 +77,10 @@ impl Reader<'_> {
         let (inner, _) = self.factor(items, cursor)?;
         let goes_on = items[*cursor..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
         let is_factor = |item: &&Item| {
-            names::printed(item, None).is_some() || matches!(item.layout, Layout::Fraction(..) | Layout::Fence(..))
+            names::printed(item, None).is_some()
+                || matches!(item.layout, Layout::Fraction(..) | Layout::Fence(..))
+                || is_any_integral(item)
+                || is_big_sum(item)
         };
         let inner_span = inner.span;
         match goes_on.filter(is_factor) {
@@ -83,6 +92,19 @@ impl Reader<'_> {
             None => Ok(inner),
         }
     }
+}
+
+/// Whether a fraction of constants stands before an integral: an operator before them acts on both, for it makes nothing of the first.
+pub(super) fn is_constant_before_an_integral(items: &[Item]) -> bool {
+    const CONSTANTS: [&str; 6] = ["\\pi", "\\epsilon", "\\varepsilon", "\\mu", "\\hbar", "c"];
+    let is_constant = |item: &Item| {
+        matches!(item.layout, Layout::Number(_) | Layout::Space(_))
+            || names::printed(item, None).is_some_and(|found| CONSTANTS.contains(&found.name.base.as_str()))
+    };
+    let mut solid = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    let (Some(first), Some(second)) = (solid.next(), solid.next()) else { return false };
+    let Layout::Fraction(above, below) = &first.layout else { return false };
+    is_any_integral(second) && [above, below].iter().all(|part| contents(part).iter().all(is_constant))
 }
 
 /// The text of items that are names, numbers, relations and signs, as under a Σ; `None` for anything else.
