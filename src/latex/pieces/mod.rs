@@ -5,6 +5,7 @@
 //! means, the part has a fault.
 
 mod alternatives;
+mod asides;
 mod conditions;
 mod piece;
 mod ranges;
@@ -21,7 +22,7 @@ use super::rows::{Row, is_operator, is_sign, is_significant, relation, rows};
 use alternatives::{alternatives, are_open};
 use conditions::{begins_condition, ends_condition, is_comparison, is_pause};
 use remarks::{is_aside, is_remark};
-use separators::{joins, separates, spelled_constant};
+use separators::{ends_a_word, joins, separates, spelled_constant};
 
 pub(super) use piece::{Link, Piece, Printed};
 pub(super) use ranges::without_ranges;
@@ -61,12 +62,12 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
     let mut current: Option<Piece<'a>> = None;
     let mut comma: Option<&'a Item> = None;
     let mut starts_row = true;
-    let mut at = 0;
     let unclear = pieces.last().and_then(|before| unclear_continuation(&row, before, pieces, is_abstract));
     if continues(&row, pieces.last()) {
         current = pieces.pop();
     }
-    let items = row.items;
+    let items = asides::opened(row.items);
+    let mut at = remarks::name_of_the_row(&items);
     let alternatives = alternatives(&items);
     while at < items.len() {
         let item = items[at];
@@ -100,7 +101,7 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
             at += 1;
             continue;
         }
-        let before = current.as_mut().filter(|piece| piece.links.len() > 1);
+        let before = current.as_mut().filter(|piece| piece.links.len() > 1 || is_abstract && piece.has_sign());
         if let (Some(piece), true) = (before, begins_condition(item)) {
             piece.conditions.push(vec![item]);
             at += 1;
@@ -131,6 +132,18 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
             piece.fault.get_or_insert(fault);
         }
         if is_abstract && is_remark(&items, at) {
+            // `\Gamma \text{ is unique}`
+            if let Some(name) = current.as_mut().filter(|piece| piece.links.len() == 1 && !piece.has_sign())
+                && !is_aside(&items, at)
+            {
+                name.fault.get_or_insert_with(|| {
+                    Fault::unsupported(
+                        item.span,
+                        "these words say something of what stands before them, and are not supported",
+                    )
+                    .help("write an equation, or a comma before words that only explain")
+                });
+            }
             pieces.extend(current.take());
             // What stands in parentheses after all, or says where a result is from, is no statement.
             if !is_aside(&items, at) {
@@ -140,6 +153,11 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
             }
             comma = None;
             starts_row = false;
+            at += 1;
+            continue;
+        }
+        // `= \mathrm{const}. = b`: the point ends a word.
+        if ends_a_word(&items, at) {
             at += 1;
             continue;
         }
@@ -193,7 +211,15 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
             if piece.links.is_empty() {
                 piece.links.push(Link { relation: None, items: Vec::new() });
             }
-            piece.links.push(link);
+            // `a = \\ = b` repeats the sign at the beginning of the row.
+            let is_again = starts_row
+                && piece.links.last().is_some_and(|last| {
+                    last.relation.is_some_and(|(before, _)| before == found)
+                        && !last.items.iter().any(|item| is_significant(&item))
+                });
+            if !is_again {
+                piece.links.push(link);
+            }
             starts_row = false;
             continue;
         }
@@ -259,7 +285,8 @@ fn unclear_continuation(row: &Row<'_>, before: &Piece<'_>, pieces: &[Piece<'_>],
     let first = row.items.iter().find(is_significant).copied()?;
     let has_relation = row.items.iter().any(|item| relation(item).is_some());
     let starts_with_relation = relation(first).is_some();
-    if first.layout == Layout::Other('-') && has_relation && !row.is_indented && !row.is_aligned {
+    let is_own = is_zero(before) || before.row > 1 && starts_with_minus(before);
+    if first.layout == Layout::Other('-') && has_relation && !row.is_indented && !row.is_aligned && !is_own {
         return Some(
             Fault::ambiguous(first.span, "this row may continue the row before or be an equation of its own")
                 .help("put & before the relation of each row, or write each equation in a display of its own"),
@@ -276,6 +303,22 @@ fn unclear_continuation(row: &Row<'_>, before: &Piece<'_>, pieces: &[Piece<'_>],
         Fault::ambiguous(first.span, "this row starts with a sign, but the row before ends with a comma or a point")
             .help("remove the comma, or write the row as an equation")
     })
+}
+
+/// Whether a statement says that something is 0: nothing goes on after it.
+fn is_zero(piece: &Piece<'_>) -> bool {
+    let last = piece.links.last().filter(|_| piece.links.len() > 1);
+    last.is_some_and(|link| {
+        let mut solid = link.items.iter().filter(is_significant);
+        let zero = Layout::Number("0".to_owned());
+        solid.next().is_some_and(|only| only.layout == zero) && solid.next().is_none()
+    })
+}
+
+/// Whether a statement begins with a minus.
+fn starts_with_minus(piece: &Piece<'_>) -> bool {
+    let first = piece.links.first().and_then(|link| link.items.iter().find(is_significant));
+    first.is_some_and(|first| first.layout == Layout::Other('-'))
 }
 
 /// Whether the item is a whole number in parentheses at the end of the row, after a space: `F = ma \quad (2)`.

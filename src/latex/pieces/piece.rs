@@ -4,6 +4,7 @@ use crate::formula::tree::Relation;
 use crate::source::{Fault, Span};
 
 use super::super::layout::Item;
+use super::super::reader::structure::states;
 
 /// A statement as items: each member with the relation before it; the first has none.
 pub(in super::super) struct Piece<'a> {
@@ -39,6 +40,11 @@ impl Piece<'_> {
             fault: None,
             comma: None,
         }
+    }
+
+    /// Whether a sign such as ∈ or → states something in it.
+    pub(super) fn has_sign(&self) -> bool {
+        self.links.iter().flat_map(|link| &link.items).any(|item| states(item))
     }
 
     pub(super) fn ends_with_a_relation(&self) -> bool {

@@ -1,11 +1,12 @@
 //! Words that stand between formulas, and which of them are no statements.
 
 use super::super::layout::{Delimiter, Item, Layout, latex};
+use super::super::lexer::Space;
 use super::super::reader::items::contents;
 use super::super::reader::structure::is_prose;
 use super::super::rows::{is_operator, is_significant, relation};
 use super::conditions::begins_condition;
-use super::separators::says_constant;
+use super::separators::{says_constant, separates};
 
 /// Whether an item is words that stand between formulas, and no name: no operator or relation is beside it.
 pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
@@ -17,7 +18,7 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
         return is_apart && inside.iter().any(is_phrase);
     }
     let word = match &items[at].layout {
-        Layout::Text(word) if matches!(word.as_str(), "and") => return false,
+        _ if separates(items[at]) => return false,
         Layout::Text(word) => word.clone(),
         Layout::Style(style, inner) if style == "\\mathrm" => {
             let word = latex(contents(inner));
@@ -46,6 +47,37 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
         && !begins_condition(items[at])
         && !before
         && !beside(items.iter().skip(at + 1))
+}
+
+/// The number of items at the beginning of a row that name it: `\text{Mass:}`, `\text{Momentum-}x\text{:}`, `\text{Energy} \quad`.
+///
+/// Words that say that the row is assumed, or does not hold, are no name.
+pub(super) fn name_of_the_row(items: &[&Item]) -> usize {
+    // Spaces are left out of a text.
+    const SUPPOSITIONS: [&str; 13] = [
+        "let", "letus", "if", "for", "not", "notthat", "either", "suppos", "assum", "unless", "except", "wrong",
+        "false",
+    ];
+    let supposes = |word: &str| {
+        let word = word.trim_end_matches([':', ',', '.']);
+        SUPPOSITIONS.iter().any(|supposed| word == *supposed || supposed.len() > 4 && word.contains(supposed))
+    };
+    let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
+    let Some(first) = items.iter().position(|item| !is_space(item)) else { return 0 };
+    let Layout::Text(word) = &items[first].layout else { return 0 };
+    let word = word.to_lowercase();
+    if separates(items[first]) || begins_condition(items[first]) || is_prose(&word) || supposes(&word) {
+        return 0;
+    }
+    let ends = |item: &Item| matches!(&item.layout, Layout::Text(word) if word.ends_with(':'));
+    let is_part = |item: &Item| {
+        relation(item).is_none() && !separates(item) && !is_operator(item) && !matches!(item.layout, Layout::Fence(..))
+    };
+    let length = items[first..].iter().take_while(|item| is_part(item)).position(|item| ends(item)).map(|at| at + 1);
+    let is_apart = matches!(items.get(first + 1).map(|next| &next.layout), Some(Layout::Space(Space::Wide)));
+    let end = first + length.unwrap_or(usize::from(is_apart));
+    let states = items[end..].iter().any(|item| relation(item).is_some());
+    if end > first && states { end } else { 0 }
 }
 
 /// Whether a remark only explains: words in parentheses, or words at the end of a row that restrict nothing.

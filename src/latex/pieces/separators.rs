@@ -2,9 +2,11 @@
 
 use crate::source::Span;
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Item, Layout, latex};
 use super::super::lexer::Space;
 use super::super::names;
+use super::super::reader::items::contents;
+use super::super::rows::relation;
 
 /// Whether a comma or a point does not separate statements: `1,000`, `a.b`, `x + ... + y`.
 pub(super) fn joins(items: &[&Item], at: usize) -> bool {
@@ -25,16 +27,34 @@ pub(super) fn joins(items: &[&Item], at: usize) -> bool {
     }
 }
 
+/// Whether a point stands between a word and a relation.
+pub(super) fn ends_a_word(items: &[&Item], at: usize) -> bool {
+    let is_word = |item: &Item| {
+        matches!(&item.layout, Layout::Text(_))
+            || matches!(&item.layout, Layout::Style(style, _) if style == "\\mathrm")
+    };
+    let next = items[at + 1..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
+    items[at].layout == Layout::Other('.')
+        && at.checked_sub(1).is_some_and(|before| is_word(items[before]))
+        && next.is_some_and(|next| relation(next).is_some())
+}
+
 pub(super) fn separates(item: &Item) -> bool {
     match &item.layout {
         Layout::Other(',' | ';' | '.') | Layout::Space(Space::Wide) => true,
         Layout::Command(name) => matches!(name.as_str(), "\\Rightarrow" | "\\Leftrightarrow" | "\\therefore"),
-        Layout::Text(word) => matches!(
-            word.trim_matches(|c: char| c == ',' || c == '.'),
-            "and" | "so" | "hence" | "thus" | "therefore" | "sothat" | "where" | "with" | ""
-        ),
+        Layout::Text(word) => is_separator(word),
+        Layout::Style(style, inner) if style == "\\mathrm" => latex(contents(inner)) == "where",
         _ => false,
     }
+}
+
+fn is_separator(word: &str) -> bool {
+    let bare = word.trim_matches([',', '.']);
+    matches!(
+        bare.strip_suffix(':').filter(|word| !word.is_empty()).unwrap_or(bare),
+        "and" | "so" | "hence" | "thus" | "therefore" | "sothat" | "where" | "with" | ""
+    )
 }
 
 /// The letters of `constant` or `const` at the end of a side, with their number.

@@ -1,0 +1,26 @@
+//! Parentheses in which a further statement stands: `(\Rightarrow a = b)`, `(\text{with } a = b)`.
+
+use super::super::layout::{Delimiter, Item, Layout};
+use super::super::rows::COLUMN;
+use super::separators::separates;
+
+/// The items, where such a parenthesis is open, so that its statement is one of its own.
+pub(super) fn opened(items: Vec<&Item>) -> Vec<&Item> {
+    let mut found = Vec::with_capacity(items.len());
+    for item in items {
+        match &item.layout {
+            Layout::Fence(Delimiter::Round, inside) if begins_a_statement(inside) => {
+                found.push(&COLUMN);
+                found.extend(inside);
+                found.push(&COLUMN);
+            }
+            _ => found.push(item),
+        }
+    }
+    found
+}
+
+fn begins_a_statement(inside: &[Item]) -> bool {
+    let first = inside.iter().find(|item| !matches!(item.layout, Layout::Space(_)));
+    first.is_some_and(|first| matches!(first.layout, Layout::Command(_) | Layout::Text(_)) && separates(first))
+}
