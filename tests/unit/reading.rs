@@ -21,6 +21,8 @@ mod misreadings;
 mod notes;
 #[path = "reading/particles.rs"]
 mod particles;
+#[path = "reading/printed_forms.rs"]
+mod printed_forms;
 #[path = "reading/quantities.rs"]
 mod quantities;
 #[path = "reading/roles.rs"]
