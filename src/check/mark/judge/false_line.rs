@@ -130,7 +130,8 @@ impl Judge<'_, '_> {
         if let Some(name) = self.follows_from_a_trial(reading) {
             return Ok(Some(right(format!("follows from the trial solution in {name}"))));
         }
-        if let Some(implied) = Implied::by(self.quiet, (&self.world.declared, &self.open), reading)
+        if !self.is_about_a_trial(reading)
+            && let Some(implied) = Implied::by(self.quiet, (&self.world.declared, &self.open), reading)
             && let Some(all) = self.given_by(display, reading, implied.clone())
             && (self.names_the_last(display, reading, &implied) || !(self.details && self.is_slip(at)?))
         {

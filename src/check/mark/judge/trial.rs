@@ -43,6 +43,14 @@ impl Judge<'_, '_> {
         })
     }
 
+    /// Whether a line has a name of a trial solution: the laws say what it is, and the line does not define it.
+    pub(super) fn is_about_a_trial(&self, reading: &Reading) -> bool {
+        let of_trials: Vec<SymbolId> =
+            self.trials.iter().flat_map(|trial| trial.formula.symbols()).map(|(id, _)| id).collect();
+        let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        members().flat_map(Expr::symbols).any(|(id, _)| of_trials.contains(&id) && self.is_own(id))
+    }
+
     /// The line of a trial solution from which a line follows with the laws: it says of the student's own names what the
     /// equations of motion say of them with the trial in the place of the coordinates.
     pub(super) fn follows_from_a_trial(&self, reading: &Reading) -> Option<&str> {
