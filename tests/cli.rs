@@ -27,8 +27,14 @@ mod mark;
 mod mark_letters;
 #[path = "cli/mark_motion.rs"]
 mod mark_motion;
+#[path = "cli/mark_numbers.rs"]
+mod mark_numbers;
 #[path = "cli/mark_states.rs"]
 mod mark_states;
+#[path = "cli/mark_steps.rs"]
+mod mark_steps;
+#[path = "cli/mark_trials.rs"]
+mod mark_trials;
 #[path = "cli/messages.rs"]
 mod messages;
 #[path = "cli/mutate.rs"]

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use crate::formula::symbols::Name;
+use crate::formula::tree::Function;
 use crate::source::Span;
 
 use super::layout::{Item, Layout, typeset_items};
@@ -112,6 +113,16 @@ fn ends_with_command(text: &str) -> bool {
     text.trim_end_matches(|c: char| c.is_ascii_alphabetic()).ends_with('\\')
 }
 
+/// Whether a text ends with a function, perhaps with its power: `\cos`, `\sin^2`.
+fn stands_after_a_function(text: &str) -> bool {
+    let before = text.trim_end();
+    let is_power = |power: &str| power.trim_matches(['{', '}', ' ']).parse::<u8>().is_ok();
+    let before = before.rsplit_once('^').filter(|(_, power)| is_power(power)).map_or(before, |(before, _)| before);
+    let before = before.trim_end();
+    let command = before.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    command.ends_with('\\') && Function::named(&before[command.len()..]).is_some()
+}
+
 fn collect(item: &Item, text: &str, table: &HashMap<Name, Name>, edits: &mut Vec<(Span, String)>) {
     if let Some(printed) = names::printed(item, None) {
         let spelled = |span: Span| text.get(span.range()).and_then(names::parse).is_some();
@@ -120,7 +131,8 @@ fn collect(item: &Item, text: &str, table: &HashMap<Name, Name>, edits: &mut Vec
             && spelled(core)
         {
             let new = new.to_string();
-            let is_composed = new.contains(['_', '{']);
+            // In braces it would be the whole argument of a function: `\cos{\omega_1} t`.
+            let is_composed = new.contains(['_', '{']) && !stands_after_a_function(&text[..core.start]);
             edits.push((core, if is_composed { format!("{{{new}}}") } else { new }));
             edits.extend(rest.map(|rest| (rest, String::new())));
         }
@@ -204,6 +216,10 @@ mod tests {
         assert_eq!(with("ab", &[("a", "\\theta")]).text, r"\theta b");
         assert_eq!(with("a^2", &[("a", "v_0")]).text, "{v_0}^2");
         assert_eq!(with("v_1' + v_1'^2 + v'_2", &[("v_1'", "u_1"), ("v_2'", "w")]).text, "{u_1} + {u_1}^2 + w");
+        // After a function the rest of the product stays in its argument.
+        assert_eq!(with(r"\cos\Omega t", &[("\\Omega", "\\omega_1")]).text, r"\cos\omega_1 t");
+        assert_eq!(with(r"\sin^2 \Omega t", &[("\\Omega", "\\omega_1")]).text, r"\sin^2 \omega_1 t");
+        assert_eq!(with(r"\frac b2 \sqrt b", &[("b", "a_1")]).text, r"\frac {a_1}2 \sqrt {a_1}");
         // The twin: a name that only begins alike stays.
         assert_eq!(with("v_1 + v_1''", &[("v_1'", "u_1")]).text, "v_1 + v_1''");
         assert_eq!(with("m_2 R_1", &pairs).text, "m_2 R_1");

@@ -67,6 +67,29 @@ fn sets(checker: &Checker<'_>, name: &Expr, value: &Expr, (wanted, is_said): (&[
     is_free && is_open && symbols.len() <= 1 && symbols.iter().all(is_constant)
 }
 
+/// Whether a statement puts what moves at a value that does not change, `v = -g \tau`: a state in which it may be, also if it is
+/// wanted as a function of the time. Of another quantity that changes, which is none of the results in `wanted`, the value is one
+/// symbol: a formula for an energy says what it is.
+pub(super) fn is_special_state(checker: &Checker<'_>, statement: &Statement, wanted: &[SymbolId]) -> bool {
+    let is_moving = |id: SymbolId| match checker.model.meaning(id) {
+        Some(Meaning::Coordinate(_) | Meaning::Varying(_)) => true,
+        Some(Meaning::Defined(formula)) => checker.model.contains_time(formula),
+        _ => false,
+    };
+    let is_fixed = |(id, dots): &(SymbolId, u8)| {
+        *dots == 0 && matches!(checker.model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Defined(_)))
+    };
+    let stays = |value: &Expr| value.symbols().iter().all(is_fixed) && !varies(checker, value);
+    let (fixed, changing): (Vec<&Expr>, Vec<&Expr>) = statement.members.iter().partition(|member| stays(member));
+    let moves = |member: &&Expr| member.as_plain_symbol().is_some_and(is_moving);
+    let is_open = |member: &&Expr| member.as_plain_symbol().is_some_and(|id| !wanted.contains(&id));
+    let is_short = || fixed.iter().all(|value| value.symbols().len() <= 1);
+    statement.relations.iter().all(|(relation, _)| is_equality(*relation))
+        && !fixed.is_empty()
+        && !changing.is_empty()
+        && (changing.iter().all(moves) || is_short() && changing.iter().all(is_open))
+}
+
 /// Whether a statement says that one constant of the problem is another one, as `m_1 = m_2` does. `is_own` tells the names
 /// that only the hand-in has.
 pub(super) fn compares_constants(
@@ -265,7 +288,10 @@ fn solved(checker: &Checker<'_>, difference: &Expr, (id, dots): (SymbolId, u8)) 
 /// The same as a formula.
 pub(super) fn solved_for(checker: &Checker<'_>, difference: &Expr, (id, dots): (SymbolId, u8)) -> Option<Expr> {
     let variable = Variable { id, indices: Vec::new(), dots };
-    let scope = Scope { symbols: &checker.model.symbols, fixed: &[] };
+    // A momentum in the equation is a quantity of its own.
+    let is_momentum = |other: &SymbolId| matches!(checker.model.meaning(*other), Some(Meaning::System(_)));
+    let fixed: Vec<SymbolId> = difference.symbols().into_iter().map(|(other, _)| other).filter(is_momentum).collect();
+    let scope = Scope { symbols: &checker.model.symbols, fixed: &fixed };
     let slope = partial(difference, &variable, scope, difference.span).ok()?;
     let mut rest = difference.clone();
     rest.substitute(&|node| match node {

@@ -17,7 +17,7 @@ use crate::check::document::names::shown;
 use crate::check::kinds::printed_solution::{Solution, constants_of_integration};
 use crate::check::kinds::solution_of_laws;
 use crate::check::model::Model;
-use crate::check::model::claim::Link;
+use crate::check::model::claim::{Link, is_equality};
 use crate::check::model::meaning::{Meaning, Variable};
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
@@ -112,6 +112,13 @@ impl Motion {
             });
         }
         formula
+    }
+
+    /// What a formula is as a function of the time along the motion, with its rates taken; `None`, where it has none.
+    pub fn function(&self, checker: &Checker<'_>, formula: &Expr) -> Option<Expr> {
+        let mut formula = self.inserted(checker, formula.clone());
+        with_rates_taken(checker, &mut formula)?;
+        Some(formula)
     }
 
     /// The motion in which a line says what a coordinate is; `None`, if it does not.
@@ -281,8 +288,9 @@ impl Motion {
     /// Whether a false function of the time solves the laws with the false function that a line prints for another coordinate,
     /// as y = ∫ v dt does with a false v.
     pub fn is_carried(&self, checker: &Checker<'_>, (from, at): (usize, usize), own: &Reading) -> bool {
+        // In a chain the last member is the function: `y = \int_0^t v \, dt = …`.
         let function = |reading: &Reading| match reading.statements.as_slice() {
-            [Ok(statement)] => printed(checker, statement),
+            [Ok(statement)] => printed(checker, &ends(statement)?),
             _ => None,
         };
         let (Some(other), Some(own)) = (function(&checker.readings[from]), function(own)) else { return false };
@@ -312,6 +320,13 @@ impl Motion {
     }
 }
 
+/// Takes the rates in a formula of the time and constants.
+pub(super) fn with_rates_taken(checker: &Checker<'_>, formula: &mut Expr) -> Option<()> {
+    let is_time = |id: &SymbolId| matches!(checker.model.meaning(*id), Some(Meaning::Time));
+    let time = checker.model.symbols.iter().map(|(id, _)| id).find(is_time)?;
+    differentiated(checker, formula, time)
+}
+
 /// Takes the rates in a formula of the time.
 fn differentiated(checker: &Checker<'_>, formula: &mut Expr, time: SymbolId) -> Option<()> {
     for child in formula.children_mut() {
@@ -327,6 +342,14 @@ fn differentiated(checker: &Checker<'_>, formula: &mut Expr, time: SymbolId) -> 
         *formula = rate;
     }
     Some(())
+}
+
+/// The first and the last member of a chain of equalities.
+fn ends(statement: &Statement) -> Option<Statement> {
+    let [first, .., last] = statement.members.as_slice() else { return None };
+    let relations = statement.relations[..1].to_vec();
+    let is_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
+    is_equal.then(|| Statement { members: vec![first.clone(), last.clone()], relations, ..statement.clone() })
 }
 
 /// The function of the time that a statement prints for a coordinate or its rate.

@@ -1,8 +1,9 @@
 //! The problem: the claims and the notes of the teacher, prepared once for all hand-ins.
 
+use crate::formula::symbols::Name;
 use crate::latex::names;
 use crate::notes::address::{self, Address, Point, Target};
-use crate::notes::claims::{Claim, Claims, Role, Rubric, Share, Spanned};
+use crate::notes::claims::{Claim, Claims, Declaration, Role, Rubric, Share, Spanned};
 use crate::notes::{Display, Notes, Numbered};
 use crate::source::Span;
 use crate::{Error, Result};
@@ -45,6 +46,8 @@ pub struct Problem {
     pub(super) contexts: Vec<Claim>,
     /// The verdict on each display.
     pub(super) verdicts: Vec<Verdict>,
+    /// The displays that print secular equations, each with its frequency.
+    pub(super) secular: Vec<(usize, Name)>,
     /// The displays that print laws.
     pub(super) laws: Vec<usize>,
     /// Its names.
@@ -119,24 +122,22 @@ impl Problem {
             }
         }
         for (_, claim) in &claims.equations {
-            let context = Claim {
-                assume: claim.assume.clone(),
-                throughout: claim.throughout.clone(),
-                small: claim.small.clone(),
-                order: claim.order.clone(),
-                limit: claim.limit.clone(),
-                meanings: claim.meanings.clone(),
-                for_each: claim.for_each.clone(),
-                ..Claim::default()
-            };
-            if context != Claim::default() && !contexts.contains(&context) {
-                contexts.push(context);
+            for context in std::iter::once(context(claim)).chain(in_one_sense(&claims, claim)) {
+                if context != Claim::default() && !contexts.contains(&context) {
+                    contexts.push(context);
+                }
             }
         }
         let (names, special) = with_checker(run, &claims, notes, |checker| {
             Ok((Names::of(checker.model), Special::of(&checker, &claims)))
         })?;
         let laws = (0..verdicts.len()).filter(|at| verdicts[*at] == Verdict::Law).collect();
+        let mut secular = Vec::new();
+        for (address, claim) in &claims.equations {
+            if let Some((omega, _)) = claim.secular_for.as_ref().and_then(|omega| names::parse(&omega.value)) {
+                secular.extend(address.resolve(notes, &claims.source)?.into_iter().map(|at| (at, omega.clone())));
+            }
+        }
         let names_results = !rubric.results.is_empty();
         Ok(Problem {
             claims,
@@ -146,6 +147,7 @@ impl Problem {
             wanted,
             contexts,
             verdicts,
+            secular,
             laws,
             names,
             special,
@@ -156,6 +158,41 @@ impl Problem {
     pub(super) fn without_steps(&self) -> f64 {
         self.rubric.without_steps.unwrap_or(Share::Half).value()
     }
+}
+
+/// What a claim says that a line may say too, in its own form: under which hypotheses it holds, and of which kind it is. Where a
+/// claim is about the display alone (a solution, a function that generates the motion), a line with other constants would pass.
+fn context(claim: &Claim) -> Claim {
+    Claim {
+        assume: claim.assume.clone(),
+        throughout: claim.throughout.clone(),
+        small: claim.small.clone(),
+        order: claim.order.clone(),
+        limit: claim.limit.clone(),
+        meanings: claim.meanings.clone(),
+        for_each: claim.for_each.clone(),
+        dropping: claim.dropping.clone(),
+        exactly_when: claim.exactly_when.clone(),
+        secular_for: claim.secular_for.clone(),
+        ..Claim::default()
+    }
+}
+
+/// A claim on what holds while a coordinate keeps its value, for each sense in which another one turns: on a circle the angular
+/// momentum is `\sqrt{m M g r_0^3}` if the angle grows.
+fn in_one_sense(claims: &Claims, claim: &Claim) -> Vec<Claim> {
+    let is_kept = |name: &str| {
+        claim.throughout.iter().any(|text| text.value.split('=').next().is_some_and(|first| first.trim() == name))
+    };
+    let turns = |declared: &&Declaration| declared.role == Role::Coordinate && !is_kept(&declared.name.value);
+    let others = claims.declarations.iter().filter(|_| !claim.throughout.is_empty()).filter(turns);
+    let grows = |declared: &Declaration| {
+        let mut context = context(claim);
+        let name = &declared.name;
+        context.assume.push(Spanned::new(format!("\\dot{{{}}} > 0", name.value), name.span));
+        context
+    };
+    others.map(grows).collect()
 }
 
 /// The notes, in which each display without a number has the name `display` and its place.

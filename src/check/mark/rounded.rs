@@ -1,12 +1,13 @@
 //! Numbers that a student computed: right to the digits that are printed, under the conditions that the student stated.
 
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
-use crate::latex::Reading;
+use crate::latex::{Reading, names};
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::judge::difference;
 use crate::check::model::claim::{Hypothesis, is_equality};
+use crate::check::model::meaning::Meaning;
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 
@@ -38,10 +39,7 @@ impl Known {
             // The second member is the formula, and what follows may be rounded.
             let [first, last, ..] = statement.members.as_slice() else { continue };
             let is_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
-            let rate = match &first.node {
-                Node::Symbol { id, indices, dots } if is_equal && indices.is_empty() => (*id, *dots),
-                _ => continue,
-            };
+            let Some((rate, last)) = alone(first, last).filter(|_| is_equal) else { continue };
             let symbols = last.symbols();
             if symbols.iter().any(|(other, _)| *other == rate.0) || is_condition && !symbols.is_empty() {
                 continue;
@@ -49,7 +47,7 @@ impl Known {
             self.is_any_number |= is_condition;
             // A condition counts for more than a formula, and the last one for most.
             let at = if is_condition { 0 } else { self.values.len() };
-            self.values.insert(at, (rate, last.clone()));
+            self.values.insert(at, (rate, last));
         }
     }
 
@@ -100,31 +98,91 @@ impl Known {
     /// Whether each equality of a reading of `text` holds with the numbers that are known, where a number of at least two
     /// digits stands for all that are rounded to it; `holds` decides those that have other quantities.
     pub fn fits(&self, checker: &Checker<'_>, text: &str, reading: &Reading, holds: impl Fn(&Reading) -> bool) -> bool {
-        if !self.is_any_number {
+        if !self.is_any_number || reading.statements.is_empty() {
             return false;
         }
-        let closed = self.numbers(checker);
-        let mut any = false;
-        let all = reading.statements.iter().all(|statement| {
-            let Ok(statement) = statement else { return false };
-            statement.members.windows(2).zip(&statement.relations).all(|(pair, relation)| {
-                if !is_equality(relation.0) && relation.0 != Relation::Approximately {
-                    return false;
-                }
-                let sides = [inserted(&pair[0], &closed), inserted(&pair[1], &closed)];
-                let values = [number(checker, &sides[0]), number(checker, &sides[1])];
-                if let [Some(value), Some(printed)] = values {
-                    any = true;
-                    let off = text.get(pair[1].span.range()).and_then(half_a_digit).unwrap_or(0.0);
-                    return (value - printed).abs() <= off.max(EQUAL * printed.abs());
-                }
-                let members = pair.to_vec();
-                let alone = Statement { members, relations: vec![*relation], ..statement.clone() };
-                holds(&Reading { statements: vec![Ok(alone)], introduced: Vec::new() })
-            })
+        // A student may go on with numbers as they were rounded.
+        let rounded = Known { values: self.values.iter().rev().cloned().collect(), ..self.clone() };
+        let ways = [self, &rounded].into_iter().flat_map(|known| {
+            let own = known.numbers(checker);
+            let usual = GRAVITY.iter().filter_map(|value| known.with_gravity(checker, &own, value)).collect::<Vec<_>>();
+            std::iter::once(own).chain(usual)
         });
-        any && all && !reading.statements.is_empty()
+        ways.into_iter().any(|closed| fits_with(checker, (text, reading), &closed, &holds))
     }
+
+    /// The quantities of which a value is missing, for a reading that gives a formula a number where other quantities have numbers.
+    pub fn missing(&self, checker: &Checker<'_>, reading: &Reading) -> Vec<SymbolId> {
+        let closed = self.numbers(checker);
+        let closed = self.with_gravity(checker, &closed, GRAVITY[0]).unwrap_or(closed);
+        let gives_a_number = |pair: &&[Expr]| pair[1].symbols().is_empty();
+        let pairs = reading.statements.iter().flatten().flat_map(|statement| statement.members.windows(2));
+        let open = pairs.filter(gives_a_number).map(|pair| inserted(&pair[0], &closed));
+        let open = open.filter(|formula| number(checker, formula).is_none());
+        let mut found: Vec<SymbolId> = open.flat_map(|formula| formula.symbols()).map(|(id, _)| id).collect();
+        found.sort_unstable();
+        found.dedup();
+        if self.is_any_number { found } else { Vec::new() }
+    }
+
+    /// The numbers with a value of standard gravity, if the problem has a constant g that has no value.
+    fn with_gravity(
+        &self,
+        checker: &Checker<'_>,
+        closed: &[((SymbolId, u8), Expr)],
+        value: &str,
+    ) -> Option<Vec<((SymbolId, u8), Expr)>> {
+        let (id, _) = checker.model.symbols.find(&names::parse("g")?.0)?;
+        let is_constant = matches!(checker.model.meaning(id), Some(Meaning::Constant(_)));
+        (is_constant && closed.iter().all(|(rate, _)| *rate != (id, 0))).then(|| {
+            let mut known = self.clone();
+            known.values.insert(0, ((id, 0), Expr::new(Node::Number(value.to_owned()), Span::default())));
+            known.numbers(checker)
+        })
+    }
+}
+
+/// What g is where no line says it, as it is usually rounded.
+const GRAVITY: [&str; 3] = ["9.81", "9.8", "10"];
+
+/// The symbol that a side is, or of which it is a square or a function, and the formula for it.
+fn alone(side: &Expr, other: &Expr) -> Option<((SymbolId, u8), Expr)> {
+    let by = |inner: &Expr, node: Node| Some(((inner.as_plain_symbol()?, 0), Expr::new(node, other.span)));
+    match &side.node {
+        Node::Symbol { id, indices, dots } => indices.is_empty().then(|| ((*id, *dots), other.clone())),
+        Node::Power(base, power) if power.as_digits() == Some("2") => by(base, Node::Root(2, Box::new(other.clone()))),
+        Node::Call(function, inner) => by(inner, Node::Call(function.inverse()?, Box::new(other.clone()))),
+        _ => None,
+    }
+}
+
+/// Whether the equalities of a reading hold with numbers.
+fn fits_with(
+    checker: &Checker<'_>,
+    (text, reading): (&str, &Reading),
+    closed: &[((SymbolId, u8), Expr)],
+    holds: &impl Fn(&Reading) -> bool,
+) -> bool {
+    let mut any = false;
+    let all = reading.statements.iter().all(|statement| {
+        let Ok(statement) = statement else { return false };
+        statement.members.windows(2).zip(&statement.relations).all(|(pair, relation)| {
+            if !is_equality(relation.0) && relation.0 != Relation::Approximately {
+                return false;
+            }
+            let sides = [inserted(&pair[0], closed), inserted(&pair[1], closed)];
+            let values = [number(checker, &sides[0]), number(checker, &sides[1])];
+            if let [Some(value), Some(printed)] = values {
+                any = true;
+                let off = text.get(pair[1].span.range()).and_then(half_a_digit).unwrap_or(0.0);
+                return (value - printed).abs() <= off.max(EQUAL * printed.abs());
+            }
+            let members = pair.to_vec();
+            let alone = Statement { members, relations: vec![*relation], ..statement.clone() };
+            holds(&Reading { statements: vec![Ok(alone)], introduced: Vec::new() })
+        })
+    });
+    any && all
 }
 
 /// Whether the two sides of a link with ≈ agree to the digits that are printed on its right side, in states that obey
@@ -193,19 +251,25 @@ fn number(checker: &Checker<'_>, formula: &Expr) -> Option<f64> {
     values.iter().all(|value| (value - first).abs() <= EQUAL * first.abs()).then_some(first)
 }
 
-/// Half a unit of the last digit of a printed number, if it has two digits or more: 0.05 for `57.7`, 50 for `1.2 \cdot 10^3`.
+/// Half a unit of the last digit of a printed number, if it has two digits or more: 0.05 for `57.7`, 50 for `1.2 \cdot 10^3`,
+/// half a degree for `\frac{47 \pi}{180}`. Further factors are those of its unit.
 fn half_a_digit(text: &str) -> Option<f64> {
     let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
-    let text = text.trim_start_matches(['-', '+']);
-    let (digits, power) = match text.split_once("\\cdot10^").or_else(|| text.split_once("\\times10^")) {
-        Some((digits, power)) => (digits, power.trim_matches(['{', '}']).parse::<i32>().ok()?),
-        None => (text, 0),
-    };
+    let text = text.trim_start_matches(['-', '+']).replace("\\times", "\\cdot");
+    let degrees = text.strip_prefix("\\frac{").and_then(|rest| rest.strip_suffix("\\pi}{180}"));
+    let mut factors = degrees.unwrap_or(&text).split("\\cdot");
+    let digits = factors.next()?;
+    let mut scale = if degrees.is_some() { std::f64::consts::PI / 180.0 } else { 1.0 };
+    for factor in factors {
+        let (base, power) = factor.split_once('^').unwrap_or((factor, "1"));
+        let power = power.trim_matches(['{', '}']).parse::<i32>().ok()?;
+        scale *= base.parse::<f64>().ok()?.powi(power.clamp(-300, 300));
+    }
     let significant = digits.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count();
     let is_number = digits.chars().all(|c| c.is_ascii_digit() || c == '.') && digits.matches('.').count() <= 1;
     let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     (is_number && significant > 1)
-        .then(|| 0.5 * 10f64.powi(power.clamp(-300, 300) - i32::try_from(decimals).unwrap_or(0)) * (1.0 + EQUAL))
+        .then(|| 0.5 * scale * 10f64.powi(-i32::try_from(decimals).unwrap_or(0)) * (1.0 + EQUAL))
 }
 
 #[cfg(test)]
@@ -216,8 +280,10 @@ mod tests {
     fn the_last_digit_says_how_far_a_number_may_be_off() {
         let near = |text: &str, value: f64| half_a_digit(text).is_some_and(|off| (off - value).abs() < 1e-6 * value);
         assert!(near("57.7", 0.05) && near("- 0.289", 0.0005) && near("24", 0.5));
-        assert!(near(r"1.2 \cdot 10^{3}", 50.0));
+        assert!(near(r"1.2 \cdot 10^{3}", 50.0) && near(r"938 \cdot 1.6 \cdot 10^{-13}", 8e-14));
+        assert!(near(r"\frac{47 \pi}{180}", std::f64::consts::PI / 360.0));
         // The twins: one digit is exact, and a formula is no number.
         assert!(half_a_digit("2").is_none() && half_a_digit("0.5").is_none() && half_a_digit("2 g").is_none());
+        assert!(half_a_digit(r"47 \cdot g").is_none());
     }
 }

@@ -29,6 +29,8 @@ pub(super) struct Special {
     ways: Vec<Name>,
     /// Places of rest that have a name, each with the coordinate.
     places: Vec<(Name, Name)>,
+    /// Values that a coordinate keeps while others move, as the radius of a circle.
+    steady: Vec<(Name, Name)>,
     /// What makes them places of rest, as LaTeX.
     conditions_of_rest: Vec<String>,
     /// Whether the problem asks for small oscillations.
@@ -71,7 +73,17 @@ impl Special {
         let displays = &checker.notes.equations;
         let display = |number: &String| displays.iter().find(|display| display.id() == Some(number.as_str()));
         let is_asked = |what: &str| claims.means.iter().any(|(_, meaning)| meaning.value.starts_with(what));
+        let is_coordinate = |name: &Name| model.symbols.find(name).is_some_and(|(id, _)| is_moving(id));
+        let equality = |text: &str| {
+            let (of, place) = text.split_once('=')?;
+            let name = |text: &str| Some(names::parse(text.trim())?.0);
+            Some((name(of)?, name(place)?)).filter(|(of, place)| is_coordinate(of) && !is_coordinate(place))
+        };
+        let always = claims.equations.iter().flat_map(|(_, claim)| &claim.throughout);
+        let about = claims.means.iter().filter_map(|(_, meaning)| Some(meaning.value.split_once(" about ")?.1));
+        let steady = always.map(|text| text.value.as_str()).chain(about).filter_map(equality);
         Special {
+            steady: steady.collect(),
             conditions_of_rest: numbers.filter_map(display).map(|display| display.text.clone()).collect(),
             has_modes_at_places: is_asked("frequency of small oscillations"),
             ways: ways.map(name).collect(),
@@ -137,6 +149,11 @@ impl Special {
     /// Places of rest that have a name, each with the coordinate.
     pub fn places(&self) -> &[(Name, Name)] {
         &self.places
+    }
+
+    /// The places of rest, and values that a coordinate keeps while others move, each with the coordinate.
+    pub fn kept(&self) -> impl Iterator<Item = &(Name, Name)> {
+        self.places.iter().chain(self.steady.iter().filter(|kept| !self.places.contains(kept)))
     }
 
     /// What makes them places of rest, as LaTeX.

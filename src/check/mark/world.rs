@@ -39,6 +39,27 @@ fn foreign_commands() -> impl Iterator<Item = (String, &'static str)> {
     named.filter(|(name, own)| name != own)
 }
 
+/// The names that a line only compares with another name after they were used, `A_1 = -A_2`: it says how two amplitudes are
+/// related, and does not define one.
+fn related(lines: &[Display], usages: &[Usage]) -> Vec<Name> {
+    let name = |text: &str| {
+        let parsed = names::parse(text.trim().trim_start_matches('-').trim());
+        parsed.filter(|(_, dots)| *dots == 0).map(|(name, _)| name)
+    };
+    let sides = |line: &Display| line.text.split_once('=').map(|(left, right)| (name(left), name(right)));
+    let is_used = |at: usize, of: &Name| usages.iter().any(|usage| usage.name == *of && usage.first < at);
+    let is_defined = |of: &Name| {
+        lines.iter().filter_map(sides).any(|(left, right)| left.as_ref() == Some(of) && right.is_none())
+            || usages.iter().any(|usage| usage.name == *of && usage.introduced.is_some())
+    };
+    let compared = |(at, line): (usize, &Display)| {
+        let (Some(left), Some(right)) = sides(line)? else { return None };
+        let used = [left, right].into_iter().filter(move |name| is_used(at, name) && !is_defined(name));
+        Some(used.collect::<Vec<_>>())
+    };
+    lines.iter().enumerate().filter_map(compared).flatten().collect()
+}
+
 /// How often the lines are read again with the names that were missing.
 const ROUNDS: usize = 4;
 
@@ -175,6 +196,9 @@ impl<'p> World<'p> {
             back,
         };
         for name in world.instants.clone().iter().filter_map(|instant| Some(names::parse(&instant.name)?.0)) {
+            world.declare(&name, &usages);
+        }
+        for name in related(&world.notes.equations[first..], &usages) {
             world.declare(&name, &usages);
         }
         world.declare_missing_names(run, &usages)?;

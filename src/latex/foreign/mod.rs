@@ -39,9 +39,8 @@ pub(super) fn edits(text: &str) -> Vec<(Span, String)> {
     edits.extend(slashes::colons(text));
     edits.extend(numbers(text).into_iter().filter_map(|number| {
         degrees(text, number).or_else(|| {
-            let (end, power) = units(text, number.end)?;
-            let factor = if power == 0 { String::new() } else { format!(" \\cdot 10^{{{power}}}") };
-            Some((Span::new(number.end, end), factor))
+            let (end, size) = units(text, number.end)?;
+            Some((Span::new(number.end, end), size.factor()))
         })
     }));
     edits

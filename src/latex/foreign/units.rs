@@ -31,11 +31,44 @@ const UNITS: [(&str, i32); 21] = [
 const PREFIXES: [(&str, i32); 9] =
     [("k", 3), ("M", 6), ("G", 9), ("d", -1), ("c", -2), ("m", -3), ("µ", -6), ("n", -9), ("p", -12)];
 
-/// The power of ten of a unit, perhaps with a prefix.
-fn power_of(word: &str) -> Option<i32> {
-    let plain = |word: &str| UNITS.iter().find(|(unit, _)| *unit == word).map(|(_, power)| *power);
+/// The electronvolt in joules, without its power of ten, and that power.
+const ELECTRONVOLT: (&str, i32) = ("1.602176634", -19);
+
+/// What one of a unit is in coherent units: a power of ten, and a power of the digits of the electronvolt.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Size {
+    ten: i32,
+    electronvolts: i32,
+}
+
+impl Size {
+    fn times(self, other: Size, power: i32) -> Size {
+        Size { ten: self.ten + power * other.ten, electronvolts: self.electronvolts + power * other.electronvolts }
+    }
+
+    /// The size as a factor after a number.
+    pub fn factor(self) -> String {
+        let digits = match self.electronvolts {
+            0 => String::new(),
+            1 => format!(" \\cdot {}", ELECTRONVOLT.0),
+            power => format!(" \\cdot {}^{{{power}}}", ELECTRONVOLT.0),
+        };
+        let ten = if self.ten == 0 { String::new() } else { format!(" \\cdot 10^{{{}}}", self.ten) };
+        digits + &ten
+    }
+}
+
+/// The size of a unit, perhaps with a prefix.
+fn size_of(word: &str) -> Option<Size> {
+    let plain = |word: &str| match word {
+        "eV" => Some(Size { ten: ELECTRONVOLT.1, electronvolts: 1 }),
+        _ => UNITS.iter().find(|(unit, _)| *unit == word).map(|(_, ten)| Size { ten: *ten, electronvolts: 0 }),
+    };
     plain(word).or_else(|| {
-        let with = |(prefix, power): &(&str, i32)| Some(plain(word.strip_prefix(prefix)?)? + power);
+        let with = |(prefix, power): &(&str, i32)| {
+            let size = plain(word.strip_prefix(prefix)?)?;
+            Some(Size { ten: size.ten + power, ..size })
+        };
         PREFIXES.iter().find_map(with)
     })
 }
@@ -74,14 +107,14 @@ pub(super) fn degrees(text: &str, number: Span) -> Option<(Span, String)> {
     Some((Span::new(number.start, number.end + mark.len()), format!("\\frac{{{value} \\pi}}{{180}}")))
 }
 
-/// The end of a unit after a number, and its power of ten; `None`, if no unit of the list stands there.
-pub(super) fn units(text: &str, from: usize) -> Option<(usize, i32)> {
+/// The end of a unit after a number, and its size; `None`, if no unit of the list stands there.
+pub(super) fn units(text: &str, from: usize) -> Option<(usize, Size)> {
     let mut at = skipped(text, from);
-    let mut power = 0;
+    let mut size = Size::default();
     let mut sign = 1;
     let mut end = None;
     while let Some((next, more)) = unit(text, at) {
-        power += sign * more;
+        size = size.times(more, sign);
         end = Some(next);
         let rest = &text[skipped(text, next)..];
         at = text.len() - rest.len();
@@ -91,49 +124,56 @@ pub(super) fn units(text: &str, from: usize) -> Option<(usize, i32)> {
             at = skipped(text, text.len() - after.len());
         }
     }
-    Some((end?, power))
+    Some((end?, size))
 }
 
-/// The end of one unit, with its power, and the power of ten.
-fn unit(text: &str, at: usize) -> Option<(usize, i32)> {
+/// The end of one unit, with its power, and its size.
+fn unit(text: &str, at: usize) -> Option<(usize, Size)> {
     let rest = &text[at..];
     if let Some(inside) = rest.strip_prefix("\\frac{") {
         let (above, length) = braced(inside)?;
         let below = inside[length..].strip_prefix('{')?;
         let (below, more) = braced(below)?;
-        let power = whole(above)? - whole(below)?;
-        return Some((at + "\\frac{".len() + length + 1 + more, power));
+        let size = whole(above)?.times(whole(below)?, -1);
+        return Some((at + "\\frac{".len() + length + 1 + more, size));
     }
+    // `\mu\mathrm{F}`
+    let micro = ["\\mu", "\\upmu"].iter().find_map(|mu| rest.strip_prefix(*mu));
+    let (at, rest) = micro.map_or((at, rest), |after| {
+        let at = skipped(text, text.len() - after.len());
+        (at, &text[at..])
+    });
     let command = ["\\text{", "\\mathrm{", "\\textrm{", "\\mbox{", "\\rm{", "\\unit{"];
     let command = command.iter().find(|command| rest.starts_with(**command))?;
     let (inside, length) = braced(&rest[command.len()..])?;
     let mut end = at + command.len() + length;
-    let power = match words(inside) {
-        Some(power) => power,
+    let size = match words(inside) {
+        Some(size) if micro.is_some() => Size { ten: size.ten - 6, ..size },
+        Some(size) => size,
         // `\text{k}\Omega`
         None => {
             let (_, power) = PREFIXES.iter().find(|(prefix, _)| *prefix == inside.trim())?;
             let ohm = text[skipped(text, end)..].strip_prefix("\\Omega")?;
             end = text.len() - ohm.len();
-            *power
+            Size { ten: *power, electronvolts: 0 }
         }
     };
     let (exponent, end) = exponent(text, end);
-    Some((end, power * exponent))
+    Some((end, Size::default().times(size, exponent)))
 }
 
-/// The power of ten of a text that is units and nothing else.
-fn whole(text: &str) -> Option<i32> {
+/// The size of a text that is units and nothing else.
+fn whole(text: &str) -> Option<Size> {
     if text.trim() == "1" {
-        return Some(0);
+        return Some(Size::default());
     }
-    let (end, power) = units(text, 0)?;
-    text[end..].trim().is_empty().then_some(power)
+    let (end, size) = units(text, 0)?;
+    text[end..].trim().is_empty().then_some(size)
 }
 
-/// The power of ten of the units in a word: `m/s^2`, `kg m`.
-fn words(text: &str) -> Option<i32> {
-    let mut power = 0;
+/// The size of the units in a word: `m/s^2`, `kg m`.
+pub(super) fn words(text: &str) -> Option<Size> {
+    let mut size = Size::default();
     let mut sign = 1;
     let text = text.replace("\\,", " ").replace("\\cdot", " ").replace("\\ ", " ").replace(['~', '·'], " ");
     let text = text.replace("$", "").replace("\\Omega", "Ω").replace("\\mu", "µ").replace('μ', "µ").replace("µ ", "µ");
@@ -146,10 +186,10 @@ fn words(text: &str) -> Option<i32> {
         }
         let (name, exponent) = word.split_once('^').unwrap_or((word, "1"));
         let exponent: i32 = exponent.trim_matches(['{', '}']).parse().ok()?;
-        power += sign * power_of(name)? * exponent.clamp(-9, 9);
+        size = size.times(size_of(name)?, sign * exponent.clamp(-9, 9));
         any = true;
     }
-    any.then_some(power)
+    any.then_some(size)
 }
 
 /// The exponent that stands at a place, and where it ends; 1, if none does.
@@ -217,6 +257,10 @@ mod tests {
             plain(r"C = 5\,\mathrm{\mu F}, R = 5\,\mathrm{M\Omega}"),
             r"C = 5 \cdot 10^{-6}, R = 5 \cdot 10^{6}"
         );
+        assert_eq!(plain(r"m = 938\,\text{MeV}"), r"m = 938 \cdot 1.602176634 \cdot 10^{-13}");
+        assert_eq!(plain(r"x = 2\,\text{eV}^2/\text{J}"), r"x = 2 \cdot 1.602176634^{2} \cdot 10^{-38}");
+        assert_eq!(plain(r"C = 100\,\mu\mathrm{F}"), r"C = 100 \cdot 10^{-6}");
+        assert_eq!(plain(r"x = 100\,\mu \, y"), r"x = 100\,\mu \, y");
         // The twins: no unit, no number, a subscript.
         for text in [r"3\,\text{apples}", r"x = \text{m}", r"T_1 \mathrm{m}", r"3 m"] {
             assert_eq!(plain(text), text);

@@ -1,7 +1,7 @@
 //! Words and signs between statements, and decimal commas.
 
 #[cfg(feature = "cli")]
-use super::units::braced;
+use super::units::{self, braced};
 
 /// A text of the same length, in which decimal commas are points, and words between statements are spaces.
 #[cfg(feature = "cli")]
@@ -77,6 +77,10 @@ pub fn separated(text: &str) -> String {
 #[cfg(feature = "cli")]
 const OR: [&str; 9] = ["or", "oder", "ou", "o", "u", "oppure", "lub", "eller", "ou bien"];
 
+/// Words for "and" between statements that stand apart from both.
+#[cfg(feature = "cli")]
+const AND: [&str; 8] = ["y", "e", "ed", "et", "i", "und", "og", "och"];
+
 /// Whether a text between two statements, or the prose there, says that they are alternatives.
 #[cfg(feature = "cli")]
 pub fn says_or(between: &str) -> bool {
@@ -131,6 +135,16 @@ fn is_between_statements(text: &str, (start, end): (usize, usize), words: &str) 
     if OR.contains(&words) {
         return true;
     }
+    // A unit belongs to the number before it.
+    let is_after_a_number = || {
+        let before = ["\\,", "\\;", "\\ ", "~"]
+            .iter()
+            .fold(text[..start].trim_end(), |text, space| text.strip_suffix(*space).unwrap_or(text).trim_end());
+        before.ends_with(|c: char| c.is_ascii_digit() || c == '}')
+    };
+    if units::words(words).is_some() && is_after_a_number() {
+        return false;
+    }
     let known = |known: &&str| words == known.trim() || words.starts_with(*known) && (*known == "is ");
     let count = words.split_whitespace().filter(|word| word.chars().any(char::is_alphabetic)).count();
     let spaces = ["\\quad", "\\qquad", "\\,", "\\;", "\\ ", "~", "&"];
@@ -146,6 +160,9 @@ fn is_between_statements(text: &str, (start, end): (usize, usize), words: &str) 
     let binds = |c: char| "=+-*/^_<>({[|".contains(c);
     let is_bound = before.ends_with(binds) || after.starts_with(|c: char| "=+-*/^_<>)}]|(".contains(c));
     let is_first = before.is_empty() || before.ends_with([',', ';', '.', '&']) || before.ends_with("\\\\");
+    if AND.contains(&words) {
+        return is_apart && !is_bound && text[end..].trim_start().starts_with("\\q");
+    }
     !words.is_empty()
         && !KNOWN.iter().any(known)
         && !is_bound
@@ -176,12 +193,15 @@ mod tests {
             (r"t = 0:\quad a = b", r"t = 0,\quad a = b"),
             (r"a = b \to c = d", r"a = b ,   c = d"),
             (r"a = b \quad \text{y también} \quad c = d", r"a = b \quad \quad             \quad c = d"),
+            (r"a = b \quad \text{y} \quad c = d", r"a = b \quad \quad    \quad c = d"),
             // The twins: a list, a subscript, a word that is read.
+            (r"a = b \text{y} c", r"a = b \text{y} c"),
             ("f(1,2)", "f(1,2)"),
             (r"\lim_{x \to 0} f = 1", r"\lim_{x \to 0} f = 1"),
             (r"x := 1", r"x := 1"),
             (r"E_\text{kin max} = 1", r"E_\text{kin max} = 1"),
             (r"E = \text{const}", r"E = \text{const}"),
+            (r"m = 938\,\text{MeV}, n = 2\,\text{mol}", r"m = 938\,\text{MeV}, n = 2\,\text{mol}"),
             (r"a = b \text{ for } x > 0", r"a = b \text{ for } x > 0"),
         ] {
             assert_eq!(separated(text), new);

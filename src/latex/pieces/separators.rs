@@ -79,5 +79,7 @@ pub fn says_constant(item: &Item) -> Option<Span> {
         _ => return None,
     };
     let word = word.trim_start_matches("\\mathrm{").trim_end_matches(['}', '.', ',', ';', ' ']);
-    matches!(word, "isconstant" | "isconserved" | "const" | "constant" | "=const").then_some(item.span)
+    let is_foreign = || matches!(word, "cte" | "cste" | "constante" | "costante" | "konst" | "konstant" | "konstante");
+    (matches!(word, "isconstant" | "isconserved" | "const" | "constant" | "=const") || is_foreign())
+        .then_some(item.span)
 }

@@ -10,6 +10,7 @@ use crate::latex::Reading;
 use crate::check::document::checker::Checker;
 use crate::check::mark::given::solved_for;
 use crate::check::mark::near_rest;
+use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::model::meaning::Meaning;
 
@@ -20,12 +21,15 @@ pub(super) fn follows(checker: &Checker<'_>, from: usize, own: &Reading, before:
     let wrong = &checker.readings[from];
     let of_problem = before.all.first().copied().unwrap_or(from);
     let find = |name| Some(checker.model.symbols.find(name)?.0);
-    let places = before.special.places().iter().filter_map(|(of, place)| Some((find(of)?, find(place)?)));
+    let places = before.special.kept().filter_map(|(of, place)| Some((find(of)?, find(place)?)));
+    let all = [wrong, own].into_iter().filter_map(|reading| numbers::links(checker, reading)).flatten();
+    let model = numbers::without_motion(checker, from, &all.collect::<Vec<_>>());
     let said = near_rest::about_places(checker, before.special, (of_problem, &unknown(checker, wrong)), wrong);
     places.into_iter().any(|place| {
         said.iter().any(|wrong| {
             let Some((rest, slope)) = at_rest(checker, wrong, place) else { return false };
-            frequency(checker, own, &rest, &slope) || linear(checker, (wrong, own), (place, &rest), before)
+            frequency((checker, &model), own, &rest, &slope)
+                || linear((checker, &model), (wrong, own), (place, &rest), before)
         })
     })
 }
@@ -48,9 +52,12 @@ fn at_rest(checker: &Checker<'_>, wrong: &Reading, (of, place): (SymbolId, Symbo
     Some((placed(&acceleration, (of, place)), placed(&slope, (of, place))))
 }
 
+/// The slope of a formula; what is conserved in the problem, as a momentum, does not change with the place.
 fn slope(checker: &Checker<'_>, formula: &Expr, of: SymbolId) -> Option<Expr> {
     let by = Variable { id: of, indices: Vec::new(), dots: 0 };
-    partial(formula, &by, Scope { symbols: &checker.model.symbols, fixed: &[] }, formula.span).ok()
+    let is_kept = |id: &SymbolId| matches!(checker.model.meaning(*id), Some(Meaning::System(_)));
+    let fixed: Vec<SymbolId> = formula.symbols().into_iter().map(|(id, _)| id).filter(is_kept).collect();
+    partial(formula, &by, Scope { symbols: &checker.model.symbols, fixed: &fixed }, formula.span).ok()
 }
 
 /// A formula at a place, at rest.
@@ -64,7 +71,7 @@ fn placed(formula: &Expr, (of, place): (SymbolId, SymbolId)) -> Expr {
 }
 
 /// Whether a line holds where the square of the frequency is the negative slope of the acceleration.
-fn frequency(checker: &Checker<'_>, own: &Reading, rest: &Expr, slope: &Expr) -> bool {
+fn frequency((checker, model): (&Checker<'_>, &Model), own: &Reading, rest: &Expr, slope: &Expr) -> bool {
     let is_frequency = |id: &SymbolId| {
         let name = &checker.model.symbols.entry(*id).name;
         checker.model.frequencies.iter().any(|frequency| frequency.name == *name)
@@ -72,12 +79,12 @@ fn frequency(checker: &Checker<'_>, own: &Reading, rest: &Expr, slope: &Expr) ->
     let Some(id) = derived::symbols(own).into_iter().map(|(id, _)| id).find(is_frequency) else { return false };
     let new = derived::with_square(own, id, &slope.clone().negated());
     let Some(links) = numbers::links(checker, &new) else { return false };
-    hold_at_rest(checker, &links, rest)
+    hold_at_rest((checker, model), &links, rest)
 }
 
 /// Whether a linear line holds to first order, with the false acceleration in it.
 fn linear(
-    checker: &Checker<'_>,
+    (checker, model): (&Checker<'_>, &Model),
     (wrong, own): (&Reading, &Reading),
     ((of, place), rest): ((SymbolId, SymbolId), &Expr),
     before: &Before<'_>,
@@ -95,19 +102,18 @@ fn linear(
             both.into_iter().collect::<Option<Vec<Link>>>()
         });
         let Some(links) = to_first_order.collect::<Option<Vec<Vec<Link>>>>() else { return false };
-        hold_at_rest(checker, &links.concat(), rest)
+        hold_at_rest((checker, model), &links.concat(), rest)
     })
 }
 
 /// Whether links hold wherever the acceleration at the place vanishes.
-fn hold_at_rest(checker: &Checker<'_>, links: &[Link], rest: &Expr) -> bool {
+fn hold_at_rest((checker, model): (&Checker<'_>, &Model), links: &[Link], rest: &Expr) -> bool {
     let zero = Expr::integer(0, rest.span);
     let Ok(rests) = checker.link(rest, Relation::Equal, &zero) else { return false };
     let premises = [Hypothesis::of(rests, false)];
-    let model = checker.without_system(false).model;
     links.iter().all(|link| {
-        numbers::holds(checker, &model, &numbers::beside_one(checker, link), &premises) == Some(true)
+        numbers::holds(checker, model, &numbers::beside_one(checker, link), &premises) == Some(true)
             && numbers::twice(checker, link)
-                .is_none_or(|twice| numbers::holds(checker, &model, &twice, &premises) == Some(false))
+                .is_none_or(|twice| numbers::holds(checker, model, &twice, &premises) == Some(false))
     })
 }

@@ -12,7 +12,9 @@ use crate::notes::claims::Claim;
 
 use crate::check::document::checker::Checker;
 use crate::check::mark::given::solved_for;
+use crate::check::mark::motion::Motion;
 use crate::check::mark::names::moving;
+use crate::check::mark::special::Special;
 use crate::check::model::meaning::Meaning;
 
 /// The most constants of a line that are tried as the value of a coordinate at an instant.
@@ -165,8 +167,9 @@ pub(super) fn at_instants_of_the_problem(checker: &Checker<'_>, wrong: &Reading,
 }
 
 /// What a false function of the time says at an instant, for the constants of a line: `y = \frac14 g t^2` says
-/// `h = \frac14 g t_1^2`, and its rate `v_1 = \frac12 g t_1`.
-pub(super) fn at_instants(checker: &Checker<'_>, wrong: &Reading, own: &Reading) -> Vec<Reading> {
+/// `h = \frac14 g t_1^2`, and its rate `v_1 = \frac12 g t_1`; or that it vanishes then. `others` are names that other false
+/// lines give a value, as the instant.
+pub(super) fn at_instants(checker: &Checker<'_>, wrong: &Reading, own: &Reading, others: &[SymbolId]) -> Vec<Reading> {
     let [Ok(statement)] = wrong.statements.as_slice() else { return Vec::new() };
     let [first, .., formula] = statement.members.as_slice() else { return Vec::new() };
     let Node::Symbol { id, dots, .. } = &first.node else { return Vec::new() };
@@ -182,21 +185,84 @@ pub(super) fn at_instants(checker: &Checker<'_>, wrong: &Reading, own: &Reading)
     let fixed = |(id, dots): &(SymbolId, u8)| *dots == 0 && !is_time(id);
     let names: Vec<SymbolId> = symbols(own).into_iter().filter(fixed).map(|(id, _)| id).collect();
     let letter = |id: SymbolId| model.symbols.entry(id).name.base.as_str();
-    let is_instant = |id: &&SymbolId| ["t", "T", "\\tau"].contains(&letter(**id));
+    let is_instant = |id: &&SymbolId| is_instant(checker, **id);
     let is_value = |id: &&SymbolId| !is_instant(id) && !formula.symbols().iter().any(|(other, _)| other == *id);
+    let statement = |members: Vec<Expr>| {
+        let relations = statement.relations[..1].to_vec();
+        let statement = Statement { members, relations, ..statement.clone() };
+        Reading { statements: vec![Ok(statement)], introduced: Vec::new() }
+    };
     let mut found = Vec::new();
-    for when in names.iter().filter(is_instant).take(TRIED) {
+    let mut instants: Vec<SymbolId> = names.iter().chain(others).filter(is_instant).copied().collect();
+    instants.dedup();
+    for when in instants.iter().take(TRIED) {
+        let there = Expr::new(Node::Symbol { id: *when, indices: Vec::new(), dots: 0 }, formula.span);
+        found.push(statement(vec![at(formula, time, &there), Expr::integer(0, formula.span)]));
         for value in names.iter().filter(is_value).take(TRIED) {
             let is_speed = ["v", "u", "w", "V", "\\omega"].contains(&letter(*value));
             let Some(formula) = (if is_speed && *dots == 0 { slope.as_ref() } else { Some(formula) }) else { continue };
             let symbol = |id| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, formula.span);
-            let members = vec![symbol(*value), at(formula, time, &symbol(*when))];
-            let relations = statement.relations[..1].to_vec();
-            let statement = Statement { members, relations, ..statement.clone() };
-            found.push(Reading { statements: vec![Ok(statement)], introduced: Vec::new() });
+            found.push(statement(vec![symbol(*value), at(formula, time, &symbol(*when))]));
         }
     }
     found
+}
+
+/// What a false function of the time says where the true one has its value at an instant of the problem: with `q = Q e^{t/(RC)}`
+/// and half of the charge at t_h it is `Q e^{t_h/(RC)} = \frac12 Q`.
+pub(super) fn at_values_of_the_motion(
+    checker: &Checker<'_>,
+    motion: &Motion,
+    wrong: &Reading,
+    own: &Reading,
+) -> Vec<Reading> {
+    let [Ok(statement)] = wrong.statements.as_slice() else { return Vec::new() };
+    let [name, .., formula] = statement.members.as_slice() else { return Vec::new() };
+    let model = checker.model;
+    let is_time = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::Time));
+    let Some(time) = model.symbols.iter().map(|(id, _)| id).find(is_time) else { return Vec::new() };
+    if name.as_plain_symbol().is_none() || !formula.symbols().contains(&(time, 0)) {
+        return Vec::new();
+    }
+    let Some(value) = motion.function(checker, name) else { return Vec::new() };
+    let moving = moving(model);
+    let fixed = |formula: &Expr| !model.depends_on(formula, &moving);
+    let said = |(id, dots): (SymbolId, u8)| {
+        let instant = match model.meaning(id) {
+            Some(Meaning::Defined(instant)) if dots == 0 && id != time && fixed(instant) => instant,
+            _ => return None,
+        };
+        let when = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, formula.span);
+        let members = vec![at(formula, time, &when), at(&value, time, instant)];
+        let is_known = fixed(&members[1]) && is_instant(checker, id);
+        let relations = statement.relations[..1].to_vec();
+        let statement = Statement { members, relations, ..statement.clone() };
+        is_known.then(|| Reading { statements: vec![Ok(statement)], introduced: Vec::new() })
+    };
+    symbols(own).into_iter().filter_map(said).collect()
+}
+
+/// Whether a name is one for an instant.
+fn is_instant(checker: &Checker<'_>, id: SymbolId) -> bool {
+    ["t", "T", "\\tau"].contains(&checker.model.symbols.entry(id).name.base.as_str())
+}
+
+/// What a false line says where a coordinate keeps its value, and others move: on a circle.
+pub(super) fn on_a_circle(checker: &Checker<'_>, wrong: &Reading, special: &Special) -> Vec<Reading> {
+    let find = |name: &Name| Some(checker.model.symbols.find(name)?.0);
+    let kept = special.kept().filter_map(|(of, place)| Some((find(of)?, find(place)?)));
+    let has_rate = |of: SymbolId| symbols(wrong).iter().any(|(id, dots)| *id == of && *dots > 0);
+    kept.filter(|(of, _)| has_rate(*of))
+        .map(|(of, place)| {
+            replaced(wrong, &|node| match node {
+                Node::Symbol { id, dots: 0, indices } if *id == of => {
+                    Some(Expr::new(Node::Symbol { id: place, indices: indices.clone(), dots: 0 }, Default::default()))
+                }
+                Node::Symbol { id, .. } if *id == of => Some(Expr::integer(0, Default::default())),
+                _ => None,
+            })
+        })
+        .collect()
 }
 
 /// What a false line with one coordinate and its velocity says where one of them vanishes and the other is a quantity of a

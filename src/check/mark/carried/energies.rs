@@ -33,44 +33,48 @@ pub(in crate::check::mark) fn false_energy(
     let [Ok(statement)] = reading.statements.as_slice() else { return None };
     let is_it = statement.members.first()?.as_plain_symbol() == Some(lagrangian);
     let last = statement.members.last().filter(|_| is_it)?;
-    let defined = |letters: &[&str], others: &[&str]| {
-        let found = |at: &usize| {
-            let [new] = checker.readings[*at].introduced.as_slice() else { return None };
-            let is_it = is_energy(&checker.model.symbols.entry(new.symbol).name, letters, others);
-            (is_it && matches!(checker.model.meaning(new.symbol), Some(Meaning::Defined(_))))
-                .then_some((*at, new.symbol))
-        };
-        own.iter().filter_map(found).last()
+    let named = |at: &usize| {
+        let [new] = checker.readings[*at].introduced.as_slice() else { return None };
+        matches!(checker.model.meaning(new.symbol), Some(Meaning::Defined(_))).then_some((*at, new.symbol))
     };
-    let kinetic = defined(&KINETIC, &KINETIC_SUBSCRIPTS)?;
-    let potential = defined(&POTENTIAL, &POTENTIAL_SUBSCRIPTS)?;
+    let name = |id: SymbolId| &checker.model.symbols.entry(id).name;
+    let defined = |letters: &[&str], others: &[&str]| {
+        own.iter().filter_map(named).filter(|(_, id)| is_energy(name(*id), letters, others)).last()
+    };
+    let pair = (defined(&KINETIC, &KINETIC_SUBSCRIPTS), defined(&POTENTIAL, &POTENTIAL_SUBSCRIPTS));
+    // One of several energies, `U_s` and `U_g`, or one beside which the other is not written: the same edit corrects it and the
+    // Lagrangian.
+    let off = symbol(lagrangian).minus(last.clone());
+    let is_false = |(display, id): &(usize, SymbolId)| {
+        let base = name(*id).base.as_str();
+        let (part, wanted) = match (KINETIC.contains(&base), POTENTIAL.contains(&base)) {
+            (true, _) => (symbol(*id), symbol(*id).minus(off.clone().negated())),
+            (_, true) => (symbol(*id).negated(), symbol(*id).minus(off.clone())),
+            _ => return false,
+        };
+        !holds(checker, at, &off, &Expr::integer(0, off.span))
+            && is_part(checker, reading, last, &part)
+            && is_corrected(checker, *display, &wanted)
+    };
+    let (Some(kinetic), Some(potential)) = pair else {
+        return own.iter().filter_map(named).filter(is_false).map(|(display, _)| display).last();
+    };
     let difference = symbol(kinetic.1).minus(symbol(potential.1));
     let same = checker.link(&difference, Relation::Equal, last).ok()?;
-    if !holds(checker, at, &same.lhs, &same.rhs) || holds(checker, at, &difference, &symbol(lagrangian)) {
+    if holds(checker, at, &difference, &symbol(lagrangian)) {
         return None;
+    }
+    if !holds(checker, at, &same.lhs, &same.rhs) {
+        return own.iter().filter_map(named).filter(is_false).map(|(display, _)| display).last();
     }
     // The energy that one edit corrects; else the kinetic one, if what it leaves of the Lagrangian has velocities.
     let wanted = |own: SymbolId| match own == kinetic.1 {
         true => symbol(lagrangian).minus(symbol(potential.1).negated()),
         false => symbol(kinetic.1).minus(symbol(lagrangian)),
     };
-    let is_corrected = |(display, id): (usize, SymbolId)| {
-        let text = &checker.notes.equations[display].text;
-        let Some((name, formula)) = text.split_once('=') else { return false };
-        let model = checker.model;
-        let edits = slips::corrections(formula, &model.symbols, &model.macros, &Pool::default());
-        edits.iter().any(|edit| {
-            let new =
-                checker.as_printed(&format!("{name}={}", edit.applied(formula)), &Claim::default(), &model.macros);
-            let value = match new.statements.as_slice() {
-                [Ok(statement)] if statement.members.len() == 2 => statement.members[1].clone(),
-                _ => return false,
-            };
-            let said = stating(&new, vec![value, wanted(id)]);
-            fits(checker, &said)
-        })
-    };
-    if let Some((display, _)) = [kinetic, potential].into_iter().find(|energy| is_corrected(*energy)) {
+    let corrected =
+        [kinetic, potential].into_iter().find(|(display, id)| is_corrected(checker, *display, &wanted(*id)));
+    if let Some((display, _)) = corrected {
         return Some(display);
     }
     let mut left = wanted(potential.1);
@@ -90,6 +94,48 @@ pub(in crate::check::mark) fn false_energy(
         _ => None,
     });
     Some(if holds(checker, at, &left, &at_rest) { potential.0 } else { kinetic.0 })
+}
+
+/// The most terms of a Lagrangian among which an energy is sought.
+const TERMS: usize = 7;
+
+/// Whether some terms of a sum are together a formula: the student has put that into it as it stands.
+fn is_part(checker: &Checker<'_>, like: &Reading, whole: &Expr, part: &Expr) -> bool {
+    let Node::Sum(terms) = &whole.node else { return false };
+    let chosen =
+        |mask: usize| terms.iter().enumerate().filter(move |(n, _)| mask >> n & 1 == 1).map(|(_, term)| term.clone());
+    let sum = |mask: usize| Expr::new(Node::Sum(chosen(mask).collect()), whole.span);
+    terms.len() <= TERMS
+        && (1..1 << terms.len()).any(|mask| fits(checker, &stating(like, vec![sum(mask), part.clone()])))
+}
+
+/// What an energy may be off by, as a factor above and below.
+const FACTORS: [(i32, u32); 6] = [(-1, 1), (1, 2), (2, 1), (1, 3), (3, 1), (1, 4)];
+
+/// Whether one edit of the display of an energy makes it what is wanted, or a factor does.
+fn is_corrected(checker: &Checker<'_>, display: usize, wanted: &Expr) -> bool {
+    let [new] = checker.readings[display].introduced.as_slice() else { return false };
+    let off_by = |(above, below): &(i32, u32)| {
+        let times = |n: u32, of: Expr| Expr::new(Node::Product(vec![Expr::integer(n, of.span), of]), wanted.span);
+        let own = times(above.unsigned_abs(), symbol(new.symbol));
+        let sides = vec![if *above < 0 { own.negated() } else { own }, times(*below, wanted.clone())];
+        fits(checker, &stating(&checker.readings[display], sides))
+    };
+    if FACTORS.iter().any(off_by) {
+        return true;
+    }
+    let text = &checker.notes.equations[display].text;
+    let Some((name, formula)) = text.split_once('=') else { return false };
+    let model = checker.model;
+    let edits = slips::corrections(formula, &model.symbols, &model.macros, &Pool::default());
+    edits.iter().any(|edit| {
+        let new = checker.as_printed(&format!("{name}={}", edit.applied(formula)), &Claim::default(), &model.macros);
+        let value = match new.statements.as_slice() {
+            [Ok(statement)] if statement.members.len() == 2 => statement.members[1].clone(),
+            _ => return false,
+        };
+        fits(checker, &stating(&new, vec![value, wanted.clone()]))
+    })
 }
 
 /// Whether a line says that the Lagrangian is the sum of a kinetic and a potential energy of which no line says what they are:

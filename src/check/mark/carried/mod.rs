@@ -5,7 +5,9 @@ mod another_value;
 mod change;
 mod derived;
 pub(super) mod energies;
+mod freed;
 pub(super) mod numbers;
+mod step;
 
 use crate::Result;
 use crate::formula::{Expr, Node, Statement, SymbolId};
@@ -39,6 +41,8 @@ pub(super) struct Before<'b> {
     pub motion: &'b Motion,
     /// The special states of the problem.
     pub special: &'b Special,
+    /// The hypotheses and kinds of claims of the problem.
+    pub contexts: &'b [Claim],
 }
 
 /// The false line from which a false line follows, by its display.
@@ -65,13 +69,13 @@ pub(super) fn origin(
         if another_value::follows(checker, *from, (at, own), of_problem) || is_at_a_place() {
             return Ok(Some(*from));
         }
-        if redefines(checker, *from, (at, own)) || shares_a_misreading(checker, *from, (at, own)) {
+        if redefines(checker, *from, (at, own), before.contexts) || shares_a_misreading(checker, *from, (at, own)) {
             return Ok(Some(*from));
         }
         let wrong = &checker.readings[*from];
         let is_inserted = numbers::inserted(checker, wrong, own)
             .is_some_and(|new| matches!(status(checker, at, &new, &Claim::default()), Status::Holds(..)));
-        if is_inserted || numbers::follows(checker, *from, before, own) {
+        if is_inserted || follows(checker, *from, before, own) {
             return Ok(Some(*from));
         }
         if is_about_rest(checker, wrong, (at, own), before.special)
@@ -90,6 +94,18 @@ pub(super) fn origin(
         }
     }
     Ok(None)
+}
+
+/// Whether a line follows from a false line by numbers, by itself or with true lines.
+fn follows(checker: &Checker<'_>, from: usize, before: &Before<'_>, own: &Reading) -> bool {
+    let Some(step) = step::Step::of(checker, from, before, own) else { return false };
+    if step.is_motion_by_a_slope() || step.is_equation_for_what_stays() {
+        return true;
+    }
+    let sets = step.sets();
+    sets.iter().chain(&step.with_the_value()).any(|set| step.holds(&step.model, set))
+        || step.is_first_integral(&sets[0])
+        || freed::follows(&step, sets)
 }
 
 /// A chain without its first member; `None`, if nothing is left to say.
@@ -119,11 +135,15 @@ fn is_about_rest(checker: &Checker<'_>, wrong: &Reading, (at, own): (usize, &Rea
     small.is_some_and(|small| special.is_linear(checker, own) && special.holds_when_small(checker, at, &small))
 }
 
-/// Whether a line holds where a name of the problem means what a false line says that it is.
-fn redefines(checker: &Checker<'_>, from: usize, (at, own): (usize, &Reading)) -> bool {
+/// Whether a line holds where a name of the problem means what a false line says that it is, by itself or as a secular equation.
+fn redefines(checker: &Checker<'_>, from: usize, (at, own): (usize, &Reading), contexts: &[Claim]) -> bool {
     let Some((place, text)) = definition_in_place(checker, from) else { return false };
     let options = Options { explain: false, ..checker.options };
-    let holds = |edited: &Checker<'_>| matches!(status(edited, at, own, &Claim::default()), Status::Holds(..));
+    let none = Claim::default();
+    let holds = |edited: &Checker<'_>| {
+        let secular = contexts.iter().filter(|claim| claim.secular_for.is_some());
+        std::iter::once(&none).chain(secular).any(|claim| matches!(status(edited, at, own, claim), Status::Holds(..)))
+    };
     checker.with_edited_text(options, place, &text, holds).unwrap_or(false)
 }
 

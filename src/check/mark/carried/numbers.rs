@@ -18,9 +18,7 @@ use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome;
 
-use super::super::names::moving;
 use super::super::status::{Status, status};
-use super::{Before, derived};
 
 /// The states at which equations are compared, and how many of them must decide.
 pub(in crate::check::mark) const STATES: usize = 8;
@@ -28,9 +26,6 @@ pub(in crate::check::mark) const STATES: usize = 8;
 const MORE_STATES: usize = 4 * STATES;
 /// The fewest states that decide.
 pub(in crate::check::mark) const FEWEST: usize = 3;
-
-/// The number of true lines that may stand beside a false one, the nearest.
-const BESIDE: usize = 5;
 
 /// The number of true lines from which a line may follow under a condition, the nearest.
 const FARTHEST: usize = 12;
@@ -75,167 +70,19 @@ fn has_root(formula: &Expr) -> bool {
     found
 }
 
-/// Whether a false line follows from a false line, by itself or with true lines.
-pub(in crate::check::mark) fn follows(
-    checker: &Checker<'_>,
-    from: usize,
-    before: &Before<'_>,
-    reading: &Reading,
-) -> bool {
-    let (Some(wrong), Some(own)) = (links(checker, &checker.readings[from]), links(checker, reading)) else {
-        return false;
-    };
-    // Of a chain only the links count that are false: the others hold whatever is carried.
-    let is_true =
-        |link: &Link| holds(checker, checker.model, link, &[]) == Some(true) || before.motion.has(checker, link);
-    let is_false = |link: &Link| own.len() == 1 || !is_true(link);
-    let own: Vec<Link> = match own.iter().filter(|link| is_false(link)).cloned().collect::<Vec<_>>() {
-        none if none.is_empty() => own,
-        some => some,
-    };
+/// Links as hypotheses.
+pub(super) fn premises<'l>(links: impl IntoIterator<Item = &'l Link>) -> Vec<Hypothesis> {
+    links.into_iter().map(|link| Hypothesis::of(link.clone(), false)).collect()
+}
+
+/// The model without the equations of motion, in which what is conserved is constant. `display` is one of the links' own.
+pub(super) fn without_motion(checker: &Checker<'_>, display: usize, links: &[Link]) -> Model {
     let mut model = checker.without_system(false).model;
-    for id in conserved(checker, from, wrong.iter().chain(&own)) {
+    for id in conserved(checker, display, links.iter()) {
         model.mean(id, Meaning::Constant(model.constants.len()));
         model.constants.push(Variable::number(id, Range::Any));
     }
-    let nearest = |all: &[usize]| -> Vec<Vec<Link>> {
-        all.iter().rev().take(BESIDE).filter_map(|at| links(checker, &checker.readings[*at])).collect()
-    };
-    let (sound, laws) = (nearest(before.sound), nearest(before.laws));
-    let others: Vec<usize> = before.wrong.iter().copied().filter(|other| *other != from).collect();
-    let others = nearest(&others);
-    let premises = |links: &mut dyn Iterator<Item = &Link>| -> Vec<Hypothesis> {
-        links.map(|link| Hypothesis::of(link.clone(), false)).collect()
-    };
-    let others_of = |all: &[usize]| -> Vec<usize> { all.iter().rev().take(BESIDE).copied().collect() };
-    let mut derived = derived::insertions(checker, &checker.readings[from], &others_of(before.sound));
-    derived.extend(derived::insertions(checker, &checker.readings[from], before.laws));
-    if let Some(motion) = derived::motion_by_a_slope(checker, from).and_then(|motion| links(checker, &motion)) {
-        let same = |link: &Link| motion.iter().any(|known| checker.proportional(link, known, &[]).unwrap_or(false));
-        if own.iter().all(same) {
-            return true;
-        }
-    }
-    derived.extend(derived::motion_written_out(checker, from));
-    derived.extend(derived::at_instants(checker, &checker.readings[from], reading));
-    derived.extend(derived::at_turns(checker, &checker.readings[from], reading));
-    derived.extend(before.motion.at_start(checker, &checker.readings[from]));
-    let of_problem = before.all.first().copied().unwrap_or(from);
-    derived.extend(derived::at_instants_of_the_problem(checker, &checker.readings[from], of_problem));
-    let derived: Vec<Vec<Link>> = derived.iter().filter_map(|reading| links(checker, reading)).collect();
-    let rates: Vec<Link> = wrong.iter().filter_map(|link| rate(checker, link)).collect();
-    let mut sets = vec![premises(&mut wrong.iter()), premises(&mut rates.iter())];
-    sets.extend(sound.iter().chain(&laws).map(|one| premises(&mut wrong.iter().chain(one))));
-    sets.extend(derived.iter().map(|one| premises(&mut one.iter())));
-    if sound.len() > 1 {
-        sets.push(premises(&mut wrong.iter().chain(sound.iter().flatten())));
-    }
-    let holds_all = |model: &Model, set: &Vec<Hypothesis>| {
-        !set.is_empty()
-            && own.iter().all(|link| {
-                // Where both sides vanish, anything would follow.
-                holds(checker, model, &beside_one(checker, link), set) == Some(true)
-                    && twice(checker, link).is_none_or(|twice| holds(checker, model, &twice, set) == Some(false))
-            })
-    };
-    if sets.iter().any(|set| holds_all(&model, set)) {
-        return true;
-    }
-    if is_first_integral(checker, (&model, &sets[0]), (reading, &own), before) {
-        return true;
-    }
-    // What the problem says of its own quantities may contradict a false line; by algebra alone a step may still follow.
-    let mut names: Vec<SymbolId> = Vec::new();
-    let of_problem = |id: SymbolId| {
-        checker.readings[..of_problem].iter().flat_map(|reading| &reading.introduced).any(|new| new.symbol == id)
-    };
-    for (id, _) in wrong.iter().chain(&own).flat_map(|link| link.lhs.symbols().into_iter().chain(link.rhs.symbols())) {
-        if !names.contains(&id) && of_problem(id) && matches!(model.meaning(id), Some(Meaning::Defined(_))) {
-            names.push(id);
-        }
-    }
-    let mut open = model;
-    // A frequency of small oscillations is what a false equation of motion says that it is.
-    let is_frequency = |id: &SymbolId| {
-        let name = &checker.model.symbols.entry(*id).name;
-        let is_defined = matches!(checker.model.meaning(*id), Some(Meaning::Defined(_)));
-        checker.model.normal_frequencies.contains(name) || is_defined && name.base == "\\omega"
-    };
-    let mut used = own.iter().flat_map(|link| link.lhs.symbols().into_iter().chain(link.rhs.symbols()));
-    let frequency = used.find(|(id, dots)| *dots == 0 && is_frequency(id)).map(|(id, _)| id);
-    let with_frequency =
-        frequency.and_then(|id| derived::with_frequency(checker, &checker.readings[from], reading, id));
-    if let Some(new) = with_frequency.and_then(|reading| links(checker, &reading))
-        && new.iter().all(|link| holds(checker, &open, link, &[]) == Some(true))
-    {
-        return true;
-    }
-    // A quantity that is positive in the problem need not be so in a false line: u = 0.
-    let mut positive = open.clone();
-    for id in &names {
-        let range = if is_positive(checker, *id) { Range::Positive } else { Range::Any };
-        for (model, range) in [(&mut open, Range::Any), (&mut positive, range)] {
-            model.mean(*id, Meaning::Varying(model.varying.len()));
-            model.varying.push(Variable::number(*id, range));
-        }
-    }
-    sets.extend(others.iter().map(|one| premises(&mut wrong.iter().chain(one))));
-    // Which rate a quantity of the problem is, a hand-in need not say: I = \dot Q.
-    let rates = rates_by_name(checker, before, &names);
-    if !rates.is_empty() {
-        sets.push(premises(&mut wrong.iter().chain(&rates)));
-    }
-    let beside = derived.iter().flat_map(|derived| others.iter().map(move |other| (derived, other)));
-    sets.extend(beside.map(|(derived, other)| premises(&mut derived.iter().chain(other))));
-    !names.is_empty() && sets.iter().any(|set| holds_all(&open, set) || holds_all(&positive, set))
-}
-
-/// Whether a line is what a false line becomes when it is integrated from the start: its rate holds wherever the false line does,
-/// and it holds at the start of the motion.
-fn is_first_integral(
-    checker: &Checker<'_>,
-    (model, wrong): (&Model, &[Hypothesis]),
-    (reading, own): (&Reading, &[Link]),
-    before: &Before<'_>,
-) -> bool {
-    let moving = moving(checker.model);
-    let moves = |link: &Link| [&link.lhs, &link.rhs].iter().any(|side| model.depends_on(side, &moving));
-    if wrong.is_empty() || !own.iter().all(moves) {
-        return false;
-    }
-    let Some(start) = before.motion.at_start(checker, reading).and_then(|start| links(checker, &start)) else {
-        return false;
-    };
-    let starts = || {
-        start.iter().all(|link| {
-            let zero = Expr::integer(0, link.lhs.span);
-            let off = checker.link(&link.lhs.clone().minus(link.rhs.clone()), Relation::Equal, &zero);
-            off.is_ok_and(|off| holds(checker, checker.model, &beside_one(checker, &off), &[]) == Some(true))
-        })
-    };
-    let follows = |link: &Link| {
-        let Some(rate) = rate(checker, link) else { return false };
-        holds(checker, model, &beside_one(checker, &rate), wrong) == Some(true)
-            && twice(checker, &rate).is_none_or(|twice| holds(checker, model, &twice, wrong) == Some(false))
-    };
-    own.iter().all(follows) && starts()
-}
-
-/// The quantities among `names` that are rates of a coordinate along the motion of the problem, as links.
-fn rates_by_name(checker: &Checker<'_>, before: &Before<'_>, names: &[SymbolId]) -> Vec<Link> {
-    let moves =
-        |id: &SymbolId| matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
-    let moving: Vec<SymbolId> = checker.model.symbols.iter().map(|(id, _)| id).filter(moves).collect();
-    let pairs = names.iter().flat_map(|name| moving.iter().map(move |of| (*name, *of)));
-    let symbol = |id, dots| Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, Span::default());
-    let links = pairs.filter_map(|(name, of)| {
-        let rate = symbol(of, 1);
-        [rate.clone(), rate.negated()].into_iter().find_map(|rate| {
-            let link = checker.link(&symbol(name, 0), Relation::Equal, &rate).ok()?;
-            before.motion.has(checker, &link).then_some(link)
-        })
-    });
-    links.collect()
+    model
 }
 
 /// Whether an equation of motion holds where a line says what a coordinate is at all times: `Q = C U_0` in
@@ -290,13 +137,6 @@ pub(in crate::check::mark) fn follows_under(
     })
 }
 
-/// Whether a quantity of the problem is positive in all its states.
-fn is_positive(checker: &Checker<'_>, id: SymbolId) -> bool {
-    let symbol = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
-    let link = checker.link(&symbol, Relation::Greater, &Expr::integer(0, Span::default()));
-    link.is_ok_and(|link| holds(checker, checker.model, &link, &[]) == Some(true))
-}
-
 /// Whether another line holds wherever a line does, and not everywhere, whatever the places of rest are.
 pub(super) fn says(checker: &Checker<'_>, own: &Reading, other: &Reading, places: &[(Name, Name)]) -> bool {
     let (Some(own), Some(other)) = (links(checker, own), links(checker, other)) else { return false };
@@ -338,7 +178,7 @@ pub(in crate::check::mark) fn inserted(checker: &Checker<'_>, from: &Reading, ow
 }
 
 /// The equalities of a reading; `None`, if it has others, or none.
-pub(super) fn links(checker: &Checker<'_>, reading: &Reading) -> Option<Vec<Link>> {
+pub(in crate::check::mark) fn links(checker: &Checker<'_>, reading: &Reading) -> Option<Vec<Link>> {
     let mut found = Vec::new();
     for statement in &reading.statements {
         let statement = statement.as_ref().ok()?;
@@ -351,13 +191,13 @@ pub(super) fn links(checker: &Checker<'_>, reading: &Reading) -> Option<Vec<Link
 }
 
 /// The rate of a link.
-fn rate(checker: &Checker<'_>, link: &Link) -> Option<Link> {
+pub(super) fn rate(checker: &Checker<'_>, link: &Link) -> Option<Link> {
     let of = |side: &Expr| Expr::new(Node::TimeDerivative(1, Box::new(side.clone())), side.span);
     checker.link(&of(&link.lhs), Relation::Equal, &of(&link.rhs)).ok()
 }
 
 /// A link to which 1 is added, if a side is 0: then its sides can be compared where they vanish.
-pub(super) fn beside_one(checker: &Checker<'_>, link: &Link) -> Link {
+pub(in crate::check::mark) fn beside_one(checker: &Checker<'_>, link: &Link) -> Link {
     let one = || Expr::integer(1, link.lhs.span).negated();
     let more = |side: &Expr| side.clone().minus(one());
     match link.lhs.is_null() || link.rhs.is_null() {
@@ -367,7 +207,7 @@ pub(super) fn beside_one(checker: &Checker<'_>, link: &Link) -> Link {
 }
 
 /// A link with twice the right side, unless a side is 0.
-pub(super) fn twice(checker: &Checker<'_>, link: &Link) -> Option<Link> {
+pub(in crate::check::mark) fn twice(checker: &Checker<'_>, link: &Link) -> Option<Link> {
     if link.lhs.is_null() || link.rhs.is_null() {
         return None;
     }

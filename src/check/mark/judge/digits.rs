@@ -5,7 +5,7 @@ use crate::latex::Reading;
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
 
-use crate::check::mark::rounded;
+use crate::check::mark::rounded::{self, Known};
 use crate::check::mark::status::Status;
 
 use super::Judge;
@@ -41,11 +41,22 @@ impl Judge<'_, '_> {
 
     /// Whether a reading is right to the printed digits, with the numbers that the student gave to the quantities.
     pub(super) fn is_rounded(&self, display: usize, reading: &Reading) -> bool {
+        let known = self.known_with_the_problem();
+        let text = &self.quiet.notes.equations[display].text;
+        known.fits(self.quiet, text, reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
+    }
+
+    /// The quantities of which a value is missing, for a line that gives a number where numbers were put in.
+    pub(super) fn missing_values(&self, reading: &Reading) -> Vec<String> {
+        let missing = self.known_with_the_problem().missing(self.quiet, reading);
+        missing.into_iter().map(|id| self.world.in_own_letters(&self.quiet.model.name(id))).collect()
+    }
+
+    fn known_with_the_problem(&self) -> Known {
         let mut known = self.known.clone();
         for at in 0..self.world.problem.notes.equations.len() {
             known.add(&self.quiet.readings[at], false);
         }
-        let text = &self.quiet.notes.equations[display].text;
-        known.fits(self.quiet, text, reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
+        known
     }
 }

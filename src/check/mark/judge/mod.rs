@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Statement, SymbolId};
+use crate::formula::{Expr, SymbolId};
 use crate::latex::{Reading, names};
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
@@ -13,8 +13,8 @@ use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
-use super::carried::{Before, energies, origin};
-use super::given::{self, Implied};
+use super::carried::energies;
+use super::given::Implied;
 use super::judged::{self, Judged};
 use super::marked::{Line, Mark};
 use super::motion::{Along, Motion};
@@ -29,10 +29,13 @@ use super::world::World;
 mod another_meaning;
 mod cases;
 mod digits;
+mod false_line;
 mod instants;
 mod readings;
+mod secular;
+mod trial;
 
-use readings::{Break, free_of, vanishes, with_dots};
+use readings::{Break, free_of, with_dots};
 
 /// Judges the lines of a hand-in, with the slips in wrong lines.
 ///
@@ -79,6 +82,7 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, best): (bool, Option<i64>)
             conditions: Vec::new(),
             breaks: Vec::new(),
             known: Known::default(),
+            trials: Vec::new(),
             lines: Vec::new(),
         };
         for at in 0..world.written.len() {
@@ -130,6 +134,8 @@ struct Judge<'j, 'c> {
     breaks: Vec<Break>,
     /// What the lines say that symbols are.
     known: Known,
+    /// The trial solutions.
+    trials: Vec<trial::Trial>,
     lines: Vec<Line>,
 }
 
@@ -224,198 +230,6 @@ impl Judge<'_, '_> {
         self.lines.push(line);
     }
 
-    fn false_line(&mut self, at: usize, reading: &Reading, line: &mut Line, finding: &Finding) -> Result<()> {
-        let written = &self.world.written[at];
-        let display = self.world.first + at;
-        // A law may be a condition that the others do not imply, as the form of a steady motion.
-        if results::prints_a_law(self.quiet, self.world, reading) {
-            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Law));
-            line.because = "a law that the problem gives".to_owned();
-            return Ok(());
-        }
-        line.verdict = Some(finding.verdict);
-        let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
-        let is_said = written.is_supposed || written.inline;
-        let is_condition = |statement: &&Statement| given::may_be(self.quiet, statement, &self.wanted, is_said);
-        let is_last = at + 1 == self.world.written.len();
-        let has_value = !statements.is_empty() && statements.iter().all(is_condition);
-        if written.continues.is_none() && has_value && (is_said || !is_last) {
-            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
-            line.because = "a condition or a value, taken for granted".to_owned();
-            let own = |id: SymbolId| self.is_own(id);
-            if !is_said && statements.iter().all(|statement| given::compares_constants(self.quiet, statement, own)) {
-                (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
-                line.because =
-                    "a condition that the problem does not have, and no word before it says that it is one".to_owned();
-            }
-            self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
-            self.known.add(reading, true);
-            return Ok(());
-        }
-        if let Some(name) = vanishes(self.quiet, &statements).filter(|_| is_said) {
-            (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
-            line.because = "a condition that the problem does not have".to_owned();
-            self.breaks.push((name, written.name.clone()));
-            return Ok(());
-        }
-        let is_ratio = written.continues.is_none()
-            && !statements.is_empty()
-            && statements.iter().all(|statement| self.is_ratio_of_data(statement));
-        let is_case = written.is_if || written.is_example;
-        if is_case && statements.iter().all(|statement| self.relates_constants(statement))
-            || is_ratio && self.stands_beside_a_value(at)
-        {
-            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
-            line.because = "a condition, taken for granted".to_owned();
-            self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
-            self.known.add_relation(self.quiet, reading);
-            return Ok(());
-        }
-        if is_ratio {
-            (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
-            line.because =
-                "a condition that the problem does not have, and no word before it says that it is one".to_owned();
-            self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
-            self.known.add_relation(self.quiet, reading);
-            return Ok(());
-        }
-        if self.has_unknown_instant(reading) {
-            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
-            line.because = "a value at an instant, which the problem leaves open".to_owned();
-            self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
-            return Ok(());
-        }
-        if let Some(implied) = Implied::by(self.quiet, (&self.world.declared, &self.open), reading)
-            && let Some(all) = self.given_by(display, reading, implied.clone())
-            && (self.names_the_last(display, reading, &implied) || !(self.details && self.is_slip(at)?))
-        {
-            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
-            line.because = match self.open.contains(&implied.symbol()) {
-                true => format!("says what {} is, which the problem leaves open", implied.name(self.quiet)),
-                false => format!("defines {}, which the problem does not have", implied.name(self.quiet)),
-            };
-            self.implied.extend(all);
-            return Ok(());
-        }
-        if energies::has_another_zero(self.quiet, display, reading) {
-            (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
-            line.because = "right, with another zero of the potential energy".to_owned();
-            return Ok(());
-        }
-        if self.is_rounded(display, reading) {
-            self.known.add(reading, false);
-            (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
-            line.because = "right to the printed digits, with the numbers of the student".to_owned();
-            return Ok(());
-        }
-        if let Some(name) = self.follows_under_a_condition(reading) {
-            (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
-            line.because = format!("follows under the condition of {name}");
-            return Ok(());
-        }
-        let later: Vec<SymbolId> = self.quiet.readings[display + 1..]
-            .iter()
-            .flat_map(|reading| reading.introduced.iter().map(|new| new.symbol))
-            .collect();
-        if self.motion.is_general(self.quiet, (display, reading), &later) {
-            (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
-            line.because = "solves the equations of motion, with constants that a later line gives".to_owned();
-            return Ok(());
-        }
-        let text = &self.world.display(at).text;
-        if self.world.problem.special.is_rest(self.quiet, display, (text, reading)) {
-            (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
-            line.because = "says where the problem can be at rest".to_owned();
-            return Ok(());
-        }
-        if self.world.display(at).text.contains("\\pm") && self.has_a_true_sign(display, reading) {
-            (line.mark, line.verdict) = (Mark::Right, Some(Verdict::Verified));
-            line.because = "true with one of the two signs".to_owned();
-            return Ok(());
-        }
-        let is_alternative =
-            written.is_alternative || self.world.written.get(at + 1).is_some_and(|next| next.is_alternative);
-        if is_alternative && self.is_an_alternative(at) {
-            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
-            line.because = "one of the cases that a line before it leaves".to_owned();
-            return Ok(());
-        }
-        if self.is_a_case(display, reading) {
-            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
-            line.because = "one of the cases that a condition before it leaves".to_owned();
-            self.conditions.push((self.world.display(at).text.clone(), written.name.clone()));
-            return Ok(());
-        }
-        let in_general = self.world.problem.special.at_all_times(self.quiet, &self.with_running_time(reading));
-        if self.is_up_to_initial_values(display, reading)
-            || in_general.is_some_and(|reading| self.is_up_to_initial_values(display, &reading))
-        {
-            (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
-            line.because = "true up to a constant, which an initial value makes 0".to_owned();
-            return Ok(());
-        }
-        let displays = |wanted: &dyn Fn(&Line) -> bool| -> Vec<usize> {
-            (0..self.lines.len()).filter(|n| wanted(&self.lines[*n])).map(|n| self.world.first + n).collect()
-        };
-        let all = displays(&|_| true);
-        let wrong = displays(&|line| matches!(line.mark, Mark::Wrong | Mark::Carried));
-        let sound = displays(&|line| line.mark == Mark::Right || line.verdict == Some(Verdict::Law));
-        let laws = &self.world.problem.laws;
-        let before = Before {
-            all: &all,
-            wrong: &wrong,
-            sound: &sound,
-            laws,
-            motion: &self.motion,
-            special: &self.world.problem.special,
-        };
-        let checker = Checker { readings: &self.premises, units: self.quiet.units.clone(), ..*self.quiet };
-        let from = if wrong.is_empty() || !self.details {
-            None
-        } else {
-            origin(&checker, (display, reading), &before).unwrap_or(None)
-        };
-        if let Some(start) = self.starts_as_a_false_line(display, reading).filter(|_| from.is_none()) {
-            (line.mark, line.follows_from) = (Mark::Carried, Some(start));
-            line.because = carried(&self.lines, start);
-            return Ok(());
-        }
-        let own: Vec<usize> = displays(&|line| line.verdict == Some(Verdict::Definition));
-        let energy = if self.details { energies::false_energy(self.quiet, (display, reading), &own) } else { None };
-        if let Some(energy) = energy.filter(|_| from.is_none()) {
-            let energy = energy - self.world.first;
-            let false_one = &mut self.lines[energy];
-            (false_one.mark, false_one.verdict) = (Mark::Wrong, Some(Verdict::Refuted));
-            "with it the Lagrangian is not that of the problem".clone_into(&mut false_one.because);
-            (line.mark, line.follows_from) = (Mark::Carried, Some(energy));
-            line.because = carried(&self.lines, energy);
-            return Ok(());
-        }
-        match from {
-            Some(from) => {
-                let from = from - self.world.first;
-                (line.mark, line.follows_from) = (Mark::Carried, Some(from));
-                line.because = carried(&self.lines, from);
-            }
-            None if self.details && !self.ends_are_false(display, reading) && self.leaves_open(at, reading)? => {
-                (line.mark, line.verdict) = (Mark::Open, Some(Verdict::Undecided));
-                line.because = format!("uses {}, which is defined nowhere", self.unknown(reading).join(", "));
-            }
-            None => {
-                if let Some(why) = self.another_meaning(display, reading).filter(|_| self.details) {
-                    (line.mark, line.verdict, line.because) = (Mark::Open, Some(Verdict::Undecided), why);
-                    return Ok(());
-                }
-                line.mark = Mark::Wrong;
-                line.because = match wrong.is_empty() {
-                    true => "does not follow from the problem".to_owned(),
-                    false => "follows neither from the problem nor from the lines before it".to_owned(),
-                };
-            }
-        }
-        Ok(())
-    }
-
     /// What a reading is in the problem, by itself, along its motion, under the hypotheses of its equations, or under
     /// conditions that were stated; and what it needs.
     fn status(&self, display: usize, reading: &Reading) -> (Status, String) {
@@ -445,10 +259,14 @@ impl Judge<'_, '_> {
                 continue;
             }
             let loose = (!context.small.is_empty() || context.limit.is_some()).then(|| approximate(reading));
-            let found = status(&checker, display, loose.as_ref().unwrap_or(reading), context);
+            let own = context.secular_for.is_some().then(|| self.of_the_frequency(reading));
+            let found = status(&checker, display, own.as_ref().or(loose.as_ref()).unwrap_or(reading), context);
             if matches!(found, Status::Holds(_)) || self.along(&checker, display, reading, context) == Along::True {
                 return (Status::Holds(Verdict::Verified), "follows from the problem, with its hypotheses".to_owned());
             }
+        }
+        if self.is_a_root(&checker, display, reading) {
+            return (Status::Holds(Verdict::Verified), "gives a root of the secular equation".to_owned());
         }
         let special = &self.world.problem.special;
         if let Some(speed) = special.speed(&checker, display, reading) {

@@ -31,6 +31,8 @@ pub(super) struct Written {
     pub inline: bool,
     /// Whether a word before it says that it is a condition.
     pub is_supposed: bool,
+    /// Whether a word before it says that it is tried as a solution.
+    pub is_tried: bool,
     /// Whether a word such as "if", close before it, makes it a special case.
     pub is_if: bool,
     /// Whether the words before it say that values for an example come.
@@ -129,6 +131,7 @@ pub(super) fn written(notes: &Notes, macros: &Macros) -> Vec<Written> {
                 continues: (statement.from.is_some() && start < found.len()).then_some(start),
                 inline: display.is_none(),
                 is_supposed: is_supposed(text, display.map_or(body.start, |display| display.span.start)),
+                is_tried: is_tried(text, display.map_or(body.start, |display| display.span.start)),
                 is_if: is_if(text, display.map_or(body.start, |display| display.span.start)),
                 is_example: is_example(text, display.map_or(body.start, |display| display.span.start)),
                 is_alternative: found.last().is_some_and(|before: &Written| {
@@ -183,8 +186,26 @@ fn is_if(text: &str, at: usize) -> bool {
     words.any(|word| IF.contains(&word))
 }
 
+/// Words that say that a solution is tried, and beginnings of such words, in some languages.
+const TRIED: [&str; 10] = ["with", "try", "tried", "trial", "let", "mit", "setze", "avec", "posons", "con"];
+const TRIED_STEMS: [&str; 11] =
+    ["ansatz", "ansätze", "guess", "seek", "look", "insert", "suppos", "assum", "cherch", "prob", "busca"];
+
+/// Whether a word in the clause before a place says that what follows is tried as a solution.
+fn is_tried(text: &str, at: usize) -> bool {
+    let clause = clause_before(text, at);
+    let mut words = clause.split(|c: char| !c.is_alphabetic());
+    words.any(|word| TRIED.contains(&word) || TRIED_STEMS.iter().any(|stem| word.starts_with(stem)))
+}
+
 /// Whether the clause before a place says that what follows is a condition.
 fn is_supposed(text: &str, at: usize) -> bool {
+    let clause = clause_before(text, at);
+    SUPPOSED.iter().any(|word| clause.contains(word))
+}
+
+/// The clause before a place, in small letters.
+fn clause_before(text: &str, at: usize) -> String {
     let before = text.get(..at).unwrap_or_default();
     let start = before.rfind(['.', '\n', ';', ':']).map_or(0, |at| at + 1);
     let clause = match before[start..].trim() {
@@ -192,8 +213,7 @@ fn is_supposed(text: &str, at: usize) -> bool {
         "" => before.trim_end().rsplit(['.', ';', '\n']).next().unwrap_or_default(),
         _ => &before[start..],
     };
-    let clause = clause.to_lowercase();
-    SUPPOSED.iter().any(|word| clause.contains(word))
+    clause.to_lowercase()
 }
 
 /// Whether braces, and the environments of a text, are closed in it.

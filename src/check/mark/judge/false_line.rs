@@ -1,0 +1,254 @@
+//! A line that does not hold in the problem: it gives something, is true in another sense, follows from a false line before
+//! it, is left open, or is wrong.
+
+use crate::Result;
+use crate::formula::{Expr, Statement, SymbolId};
+use crate::latex::Reading;
+
+use crate::check::document::checker::Checker;
+use crate::check::mark::carried::{Before, energies, origin};
+use crate::check::mark::given::{self, Implied};
+use crate::check::mark::marked::{Line, Mark};
+use crate::check::mark::results;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+
+use super::readings::vanishes;
+use super::{Judge, carried};
+
+/// A mark with its verdict and the reason for it.
+type Reason = (Mark, Verdict, String);
+
+fn given(because: impl Into<String>) -> Reason {
+    (Mark::Given, Verdict::Assumed, because.into())
+}
+
+fn right(because: impl Into<String>) -> Reason {
+    (Mark::Right, Verdict::Verified, because.into())
+}
+
+fn open(because: impl Into<String>) -> Reason {
+    (Mark::Open, Verdict::Undecided, because.into())
+}
+
+impl Judge<'_, '_> {
+    pub(super) fn false_line(
+        &mut self,
+        at: usize,
+        reading: &Reading,
+        line: &mut Line,
+        finding: &Finding,
+    ) -> Result<()> {
+        line.verdict = Some(finding.verdict);
+        let found = match self.as_condition(at, reading) {
+            Some(found) => Some(found),
+            None => self.as_true_otherwise(at, reading)?,
+        };
+        if let Some((mark, verdict, because)) = found {
+            (line.mark, line.verdict, line.because) = (mark, Some(verdict), because);
+            return Ok(());
+        }
+        if let Some(from) = self.carried_from(at, reading)? {
+            (line.mark, line.follows_from) = (Mark::Carried, Some(from));
+            line.because = carried(&self.lines, from);
+            return Ok(());
+        }
+        let (mark, verdict, because) = self.open_or_wrong(at, reading)?;
+        (line.mark, line.because) = (mark, because);
+        line.verdict = verdict.or(line.verdict);
+        Ok(())
+    }
+
+    /// What a line gives: a law, a condition, a value. Lines after it are also judged under it.
+    fn as_condition(&mut self, at: usize, reading: &Reading) -> Option<Reason> {
+        let written = &self.world.written[at];
+        // A law may be a condition that the others do not imply, as the form of a steady motion.
+        if results::prints_a_law(self.quiet, self.world, reading) {
+            return Some((Mark::Given, Verdict::Law, "a law that the problem gives".to_owned()));
+        }
+        let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
+        let is_said = written.is_supposed || written.inline;
+        let is_condition = |statement: &&Statement| given::may_be(self.quiet, statement, &self.wanted, is_said);
+        let is_last = at + 1 == self.world.written.len();
+        let has_value = !statements.is_empty() && statements.iter().all(is_condition);
+        if written.continues.is_none() && has_value && (is_said || !is_last) {
+            self.add_condition(at);
+            self.known.add(reading, true);
+            let own = |id: SymbolId| self.is_own(id);
+            let compares = statements.iter().all(|statement| given::compares_constants(self.quiet, statement, own));
+            return Some(match !is_said && compares {
+                true => open(UNSAID),
+                false => given("a condition or a value, taken for granted"),
+            });
+        }
+        let is_state = |statement: &&Statement| given::is_special_state(self.quiet, statement, &self.wanted);
+        if written.inline && written.continues.is_none() && !statements.is_empty() && statements.iter().all(is_state) {
+            // One solution among others says nothing of the lines after it.
+            let vanishes = |statement: &&Statement| statement.members.iter().any(Expr::is_null);
+            if written.is_supposed || written.is_if || statements.iter().all(vanishes) {
+                self.add_condition(at);
+            }
+            return Some(given("a special state of what moves, taken for granted"));
+        }
+        if let Some(name) = vanishes(self.quiet, &statements).filter(|_| is_said) {
+            self.breaks.push((name, written.name.clone()));
+            return Some(open("a condition that the problem does not have"));
+        }
+        let is_ratio = written.continues.is_none()
+            && !statements.is_empty()
+            && statements.iter().all(|statement| self.is_ratio_of_data(statement));
+        let is_case = written.is_if || written.is_example;
+        let is_condition = is_case && statements.iter().all(|statement| self.relates_constants(statement))
+            || is_ratio && self.stands_beside_a_value(at);
+        if is_condition || is_ratio {
+            self.add_condition(at);
+            self.known.add_relation(self.quiet, reading);
+            return Some(if is_condition { given("a condition, taken for granted") } else { open(UNSAID) });
+        }
+        if self.has_unknown_instant(reading) {
+            self.add_condition(at);
+            return Some(given("a value at an instant, which the problem leaves open"));
+        }
+        None
+    }
+
+    fn add_condition(&mut self, at: usize) {
+        self.conditions.push((self.world.display(at).text.clone(), self.world.written[at].name.clone()));
+    }
+
+    /// What a line says that holds in another sense than as an equation of the problem: it says what a quantity of the student's
+    /// own is, counts from another zero, is rounded, follows under a condition, or is a case.
+    fn as_true_otherwise(&mut self, at: usize, reading: &Reading) -> Result<Option<Reason>> {
+        let written = &self.world.written[at];
+        let display = self.world.first + at;
+        if let Some(trial) = self.trial(at, reading) {
+            self.trials.push(trial);
+            // What follows from it is not judged as a step from a solution of the problem.
+            self.trusted[display] = Reading::default();
+            return Ok(Some(given("a trial solution, with names that the problem does not have")));
+        }
+        if let Some(name) = self.follows_from_a_trial(reading) {
+            return Ok(Some(right(format!("follows from the trial solution in {name}"))));
+        }
+        if !self.is_about_a_trial(reading)
+            && let Some(implied) = Implied::by(self.quiet, (&self.world.declared, &self.open), reading)
+            && let Some(all) = self.given_by(display, reading, implied.clone())
+            && (self.names_the_last(display, reading, &implied) || !(self.details && self.is_slip(at)?))
+        {
+            let name = implied.name(self.quiet);
+            let because = match self.open.contains(&implied.symbol()) {
+                true => format!("says what {name} is, which the problem leaves open"),
+                false => format!("defines {name}, which the problem does not have"),
+            };
+            self.implied.extend(all);
+            return Ok(Some(given(because)));
+        }
+        if energies::has_another_zero(self.quiet, display, reading) {
+            return Ok(Some(right("right, with another zero of the potential energy")));
+        }
+        if self.is_rounded(display, reading) {
+            self.known.add(reading, false);
+            return Ok(Some(right("right to the printed digits, with the numbers of the student")));
+        }
+        if let Some(name) = self.follows_under_a_condition(reading) {
+            return Ok(Some(right(format!("follows under the condition of {name}"))));
+        }
+        let later: Vec<SymbolId> = self.quiet.readings[display + 1..]
+            .iter()
+            .flat_map(|reading| reading.introduced.iter().map(|new| new.symbol))
+            .collect();
+        if self.motion.is_general(self.quiet, (display, reading), &later) {
+            return Ok(Some(right("solves the equations of motion, with constants that a later line gives")));
+        }
+        let text = &self.world.display(at).text;
+        if self.world.problem.special.is_rest(self.quiet, display, (text, reading)) {
+            return Ok(Some(right("says where the problem can be at rest")));
+        }
+        if text.contains("\\pm") && self.has_a_true_sign(display, reading) {
+            return Ok(Some(right("true with one of the two signs")));
+        }
+        let is_alternative =
+            written.is_alternative || self.world.written.get(at + 1).is_some_and(|next| next.is_alternative);
+        if is_alternative && self.is_an_alternative(at) {
+            return Ok(Some(given("one of the cases that a line before it leaves")));
+        }
+        if self.is_a_case(display, reading) {
+            self.add_condition(at);
+            return Ok(Some(given("one of the cases that a condition before it leaves")));
+        }
+        let in_general = self.world.problem.special.at_all_times(self.quiet, &self.with_running_time(reading));
+        if self.is_up_to_initial_values(display, reading)
+            || in_general.is_some_and(|reading| self.is_up_to_initial_values(display, &reading))
+        {
+            return Ok(Some(given("true up to a constant, which an initial value makes 0")));
+        }
+        Ok(None)
+    }
+
+    /// The displays of the lines before for which something holds.
+    fn displays(&self, wanted: impl Fn(&Line) -> bool) -> Vec<usize> {
+        (0..self.lines.len()).filter(|n| wanted(&self.lines[*n])).map(|n| self.world.first + n).collect()
+    }
+
+    /// The false line, by its place, from which a line follows.
+    fn carried_from(&mut self, at: usize, reading: &Reading) -> Result<Option<usize>> {
+        let display = self.world.first + at;
+        let all = self.displays(|_| true);
+        let wrong = self.displays(|line| matches!(line.mark, Mark::Wrong | Mark::Carried));
+        let sound = self.displays(|line| line.mark == Mark::Right || line.verdict == Some(Verdict::Law));
+        let before = Before {
+            all: &all,
+            wrong: &wrong,
+            sound: &sound,
+            laws: &self.world.problem.laws,
+            motion: &self.motion,
+            special: &self.world.problem.special,
+            contexts: &self.world.problem.contexts,
+        };
+        let checker = Checker { readings: &self.premises, units: self.quiet.units.clone(), ..*self.quiet };
+        if !wrong.is_empty()
+            && self.details
+            && let Some(from) = origin(&checker, (display, reading), &before).unwrap_or(None)
+        {
+            return Ok(Some(from - self.world.first));
+        }
+        if let Some(start) = self.starts_as_a_false_line(display, reading) {
+            return Ok(Some(start));
+        }
+        let own = self.displays(|line| line.verdict == Some(Verdict::Definition));
+        let energy = if self.details { energies::false_energy(self.quiet, (display, reading), &own) } else { None };
+        Ok(energy.map(|energy| {
+            let energy = energy - self.world.first;
+            let false_one = &mut self.lines[energy];
+            (false_one.mark, false_one.verdict) = (Mark::Wrong, Some(Verdict::Refuted));
+            "with it the Lagrangian is not that of the problem".clone_into(&mut false_one.because);
+            energy
+        }))
+    }
+
+    /// The mark of a false line that follows from nothing before it, with a verdict where that is another one.
+    fn open_or_wrong(&self, at: usize, reading: &Reading) -> Result<(Mark, Option<Verdict>, String)> {
+        let display = self.world.first + at;
+        if self.details && !self.ends_are_false(display, reading) && self.leaves_open(at, reading)? {
+            let because = format!("uses {}, which is defined nowhere", self.unknown(reading).join(", "));
+            return Ok((Mark::Open, Some(Verdict::Undecided), because));
+        }
+        if let Some(why) = self.another_meaning(display, reading).filter(|_| self.details) {
+            return Ok((Mark::Open, Some(Verdict::Undecided), why));
+        }
+        let missing = if self.details { self.missing_values(reading) } else { Vec::new() };
+        if !missing.is_empty() {
+            let because = format!("a number, for which no line gives the value of {}", missing.join(", "));
+            return Ok((Mark::Open, Some(Verdict::Undecided), because));
+        }
+        let is_wrong = |line: &Line| matches!(line.mark, Mark::Wrong | Mark::Carried);
+        let because = match self.lines.iter().any(is_wrong) {
+            false => "does not follow from the problem",
+            true => "follows neither from the problem nor from the lines before it",
+        };
+        Ok((Mark::Wrong, None, because.to_owned()))
+    }
+}
+
+/// Why a condition is left open.
+const UNSAID: &str = "a condition that the problem does not have, and no word before it says that it is one";

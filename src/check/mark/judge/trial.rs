@@ -1,0 +1,113 @@
+//! Trial solutions, `x_1 = A_1 \cos\omega t` with names of the student's own, and what the laws say of those names.
+
+use crate::formula::{Expr, Node, SymbolId};
+use crate::latex::Reading;
+
+use crate::check::mark::carried::numbers;
+use crate::check::mark::motion::{printed, with_rates_taken};
+use crate::check::model::claim::{Hypothesis, Link};
+use crate::check::model::meaning::Meaning;
+use crate::check::verdict::Verdict;
+
+use super::Judge;
+use crate::check::mark::marked::Mark;
+
+/// A function of the time that a line tries for a coordinate.
+pub(super) struct Trial {
+    coordinate: SymbolId,
+    formula: Expr,
+    /// The line.
+    line: String,
+}
+
+/// The equations of motion into which a trial is put, the nearest.
+const EQUATIONS: usize = 6;
+
+impl Judge<'_, '_> {
+    /// The function of the time that a line tries for a coordinate, with names of which no line says what they are.
+    pub(super) fn trial(&self, at: usize, reading: &Reading) -> Option<Trial> {
+        let written = &self.world.written[at];
+        if !(written.inline || written.is_tried) || written.continues.is_some() {
+            return None;
+        }
+        let [Ok(statement)] = reading.statements.as_slice() else { return None };
+        let own = printed(self.quiet, statement).filter(|own| own.dots == 0 && statement.members.len() == 2)?;
+        let is_unknown = |(id, _): &(SymbolId, u8)| {
+            self.is_own(*id) && matches!(self.quiet.model.meaning(*id), Some(Meaning::Constant(_)))
+        };
+        let symbols = own.formula.symbols();
+        (symbols.iter().any(is_unknown) && self.quiet.model.contains_time(&own.formula)).then(|| Trial {
+            coordinate: own.coordinate,
+            formula: own.formula.clone(),
+            line: written.name.clone(),
+        })
+    }
+
+    /// Whether a line has a name of a trial solution: the laws say what it is, and the line does not define it.
+    pub(super) fn is_about_a_trial(&self, reading: &Reading) -> bool {
+        let of_trials: Vec<SymbolId> =
+            self.trials.iter().flat_map(|trial| trial.formula.symbols()).map(|(id, _)| id).collect();
+        let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        members().flat_map(Expr::symbols).any(|(id, _)| of_trials.contains(&id) && self.is_own(id))
+    }
+
+    /// The line of a trial solution from which a line follows with the laws: it says of the student's own names what the
+    /// equations of motion say of them with the trial in the place of the coordinates.
+    pub(super) fn follows_from_a_trial(&self, reading: &Reading) -> Option<&str> {
+        let last = self.trials.last().filter(|_| self.details)?;
+        let own = numbers::links(self.quiet, reading)?;
+        let model = self.quiet.without_system(false).model;
+        let moves = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
+        let symbols = |link: &Link| [link.lhs.symbols(), link.rhs.symbols()].concat();
+        if own.iter().flat_map(symbols).any(|(id, _)| moves(id)) {
+            return None;
+        }
+        let is_left = |link: &Link| !symbols(link).into_iter().any(|(id, _)| moves(id));
+        let equations = self.equations_of_motion().into_iter().map(|link| self.with_trials(&link));
+        let premises: Vec<Hypothesis> =
+            equations.flatten().filter(is_left).take(EQUATIONS).map(|link| Hypothesis::of(link, false)).collect();
+        let follows = |link: &Link, premises: &[Hypothesis]| {
+            numbers::holds(self.quiet, &model, &numbers::beside_one(self.quiet, link), premises) == Some(true)
+                && numbers::holds(self.quiet, &model, link, &[]) == Some(false)
+                && numbers::twice(self.quiet, link)
+                    .is_none_or(|twice| numbers::holds(self.quiet, &model, &twice, premises) == Some(false))
+        };
+        // States are found more easily for one equation alone.
+        let from_one = |link: &Link| premises.chunks(1).any(|one| follows(link, one));
+        own.iter().all(|link| from_one(link) || follows(link, &premises)).then_some(last.line.as_str())
+    }
+
+    /// The equations of motion that the problem and the true lines print.
+    fn equations_of_motion(&self) -> Vec<Link> {
+        let of_problem = 0..self.world.problem.notes.equations.len();
+        let verdicts = &self.world.problem.verdicts;
+        let is_true = |at: &usize| verdicts[*at].holds() || verdicts[*at] == Verdict::Law;
+        let sound = |at: &usize| self.lines[*at].mark == Mark::Right;
+        let lines = (0..self.lines.len()).filter(sound).map(|at| self.world.first + at);
+        let all = of_problem.filter(is_true).chain(lines);
+        let links = all.flat_map(|at| numbers::links(self.quiet, &self.quiet.readings[at]).unwrap_or_default());
+        let is_tried =
+            |(id, dots): &(SymbolId, u8)| *dots > 0 && self.trials.iter().any(|trial| trial.coordinate == *id);
+        links.filter(|link| link.lhs.symbols().iter().chain(&link.rhs.symbols()).any(is_tried)).collect()
+    }
+
+    /// An equation with the trials in the place of the coordinates.
+    fn with_trials(&self, link: &Link) -> Option<Link> {
+        let inserted = |side: &Expr| {
+            let mut side = side.clone();
+            side.substitute(&|node| {
+                let Node::Symbol { id, dots, .. } = node else { return None };
+                // The last trial for a coordinate counts.
+                let trial = self.trials.iter().rev().find(|trial| trial.coordinate == *id)?;
+                let span = trial.formula.span;
+                Some(match *dots {
+                    0 => trial.formula.clone(),
+                    dots => Expr::new(Node::TimeDerivative(dots, Box::new(trial.formula.clone())), span),
+                })
+            });
+            with_rates_taken(self.quiet, &mut side)?;
+            Some(side)
+        };
+        self.quiet.link(&inserted(&link.lhs)?, link.relation, &inserted(&link.rhs)?).ok()
+    }
+}
