@@ -420,8 +420,8 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 let symbols = exponent.symbols();
                 let varies = |id| self.environment.symbols().entry(id).varies;
                 let varies = symbols.is_empty() || symbols.iter().any(|(id, _)| varies(*id));
-                match n.re() {
-                    whole if !varies && whole.fract() == 0.0 && whole.abs() <= 64.0 => x.powi(whole as i32),
+                match n.known_value() {
+                    Some(whole) if !varies && whole.fract() == 0.0 && whole.abs() <= 64.0 => x.powi(whole as i32),
                     _ => (x.ln() * n).exp(),
                 }
             }

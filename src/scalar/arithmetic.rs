@@ -85,6 +85,10 @@ pub trait Arithmetic: Copy + Debug + Send + Sync + 'static {
     }
     /// The real value, on which branches are decided.
     fn real(self) -> f64;
+    /// The real value, if it has one: what is traced has none but for constants.
+    fn known_value(self) -> Option<f64> {
+        Some(self.real())
+    }
     /// Sum.
     fn plus(self, other: Self) -> Self;
     /// Difference.
@@ -286,6 +290,9 @@ macro_rules! dual_number {
                 }
                 fn rational_power(self, exponent: $crate::scalar::Ratio) -> Self {
                     Arithmetic::rational_power(self, exponent)
+                }
+                fn known_value(&self) -> Option<f64> {
+                    Arithmetic::known_value(*self)
                 }
             }
             impl$(<$b: $bound>)? DualNum for $name$(<$b>)? {

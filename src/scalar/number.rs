@@ -29,6 +29,10 @@ pub trait Number: DualNum<Primitive = f64> + Copy + Send + Sync {
     fn rational_power(self, exponent: Ratio) -> Self {
         self.powf(exponent.value())
     }
+    /// Its value, if it has one: what is traced has none but for constants.
+    fn known_value(&self) -> Option<f64> {
+        Some(self.re())
+    }
 }
 
 /// The double nearest to a decimal; most have one digit.
@@ -57,6 +61,9 @@ macro_rules! over_inner {
             }
             fn uncertain(error: f64) -> Option<Self> {
                 D::uncertain(error).map(Self::from_re)
+            }
+            fn known_value(&self) -> Option<f64> {
+                self.re.known_value()
             }
             fn hyperbolic_tangent(self) -> Self {
                 // num-dual divides the hyperbolic sine by the cosine.

@@ -23,6 +23,9 @@ impl<B: Number> Arithmetic for Primal<B> {
     fn real(self) -> f64 {
         self.0.re()
     }
+    fn known_value(self) -> Option<f64> {
+        self.0.known_value()
+    }
     fn same(self, other: Self) -> bool {
         self.0 == other.0
     }

@@ -8,8 +8,7 @@
 //!
 //! A dot, two dots, d/dt of a bracket and "constant" are then one operation, a shift of coefficients. A series
 //! knows how many of its coefficients are known; a derivative that nobody supplied is `Unavailable`, never zero. On
-//! shell, the accelerations are run over series, and each run gives one more order. Six coefficients are kept, so
-//! the fifth derivative is the highest. Only what is used is computed.
+//! shell, the accelerations are run over series, and each run gives one more order. The fifth derivative is the last.
 
 use std::fmt;
 
@@ -298,6 +297,9 @@ impl<B: Number> Arithmetic for Series<B> {
     }
     fn real(self) -> f64 {
         self.coefficients[0].re()
+    }
+    fn known_value(self) -> Option<f64> {
+        self.value().known_value()
     }
     fn same(self, other: Self) -> bool {
         self.coefficients[0] == other.coefficients[0]

@@ -295,6 +295,9 @@ impl Arithmetic for Symbol {
             })
         })
     }
+    fn known_value(self) -> Option<f64> {
+        self.as_constant()
+    }
     fn plus(self, other: Self) -> Self {
         Symbol::build(|graph| graph.add(self.0, other.0))
     }
