@@ -83,7 +83,10 @@ pub fn principal_axes(tensor: &Matrix3<f64>) -> Result<PrincipalAxes> {
         let leading = vector.iter().copied().find(|component| component.abs() > vector.amax() - 1e-9);
         vector * leading.map_or(1.0, f64::signum)
     };
-    let (first, second) = (axis(0), axis(1));
+    // The iteration leaves the eigenvectors at right angles but for many roundings; these leave one.
+    let first = axis(0).normalize();
+    let second = axis(1);
+    let second = (second - first * first.dot(&second)).normalize();
     let axes = Matrix3::from_rows(&[first, second, first.cross(&second)].map(|axis| axis.transpose()));
     Ok(PrincipalAxes { moments: order.map(|i| eigen.eigenvalues[i]), axes })
 }
