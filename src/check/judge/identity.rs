@@ -89,7 +89,13 @@ fn to_all_digits(link: &Link, ensemble: &Ensemble<'_>, finding: Finding) -> Find
                     ..finding.replaced(Code::SidesDiffer, Verdict::Refuted, message)
                 };
             }
-            Decision::Agree => {}
+            // At this state the most digits were tried.
+            Decision::Absorbed if at == 0 => {
+                let message = "a term is too small beside another one to be seen, so that the two sides agree to hundreds of \
+                               digits whether they are equal or not; choose smaller numbers or ranges";
+                return finding.replaced(Code::WithinRounding, Verdict::Undecided, message.to_owned());
+            }
+            Decision::Agree | Decision::Absorbed => {}
             // Nothing more is known than what doubles say.
             Decision::Differ(_) | Decision::Open => break,
         }

@@ -13,7 +13,7 @@ use num_dual::DualStruct;
 
 use crate::formula::evaluate::constant_exponent;
 use crate::formula::{Expr, IndexId, Node, Relation, Value};
-use crate::scalar::enclosure::{Enclosure, evaluate_to};
+use crate::scalar::enclosure::{Enclosure, evaluate_to, has_absorbed};
 use crate::scalar::{Primal, RunningError};
 
 use crate::check::model::Model;
@@ -73,6 +73,8 @@ const EXTREME: f64 = 1e150;
 pub(crate) enum Decision {
     /// They agree.
     Agree,
+    /// They agree to all digits, but a term was too small beside another one to be seen: 1 + e⁻⁵⁰⁰⁰.
+    Absorbed,
     /// They differ.
     Differ(Failure),
     /// Neither is certain.
@@ -101,6 +103,7 @@ pub(crate) fn settled(
     match decided(link, state, projection) {
         Decision::Agree => Point::Holds(AGREEMENT.exp2()),
         Decision::Differ(failure) => Point::Fails(failure),
+        Decision::Absorbed => Point::Doubtful,
         Decision::Open => point,
     }
 }
@@ -136,15 +139,18 @@ fn decided_in(
     }
     let base: Vec<f64> = state.base.numbers().iter().map(|x| x.value).collect();
     let printed = printed_bits(link, state.model());
+    let mut last = Decision::Open;
     for bits in precisions {
         let found = evaluate_to(bits + printed, STEPS, || at_precision(link, state, projection, &base, printed as f64));
         match found {
+            // More digits may show the term.
+            Some(Ok(Decision::Absorbed)) => last = Decision::Absorbed,
             Some(Ok(decision)) => return decision,
             Some(Err(width)) if width < HOPELESS - printed as f64 => {}
             _ => return Decision::Open,
         }
     }
-    Decision::Open
+    last
 }
 
 /// The number of bits that the printed numbers of a claim have beyond those that any claim is tested to: two numbers of a
@@ -236,7 +242,11 @@ fn at_precision(
             break;
         }
     }
-    Some(if widest == f64::NEG_INFINITY { Ok(Decision::Agree) } else { Err(widest) })
+    Some(match widest == f64::NEG_INFINITY {
+        true if has_absorbed() => Ok(Decision::Absorbed),
+        true => Ok(Decision::Agree),
+        false => Err(widest),
+    })
 }
 
 /// The base-2 logarithm of the size of the terms of both sides, entry by entry, as doubles know it.

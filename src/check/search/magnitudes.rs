@@ -100,7 +100,7 @@ pub(crate) fn judged(
     for state in states {
         let point = residual::test(link, state).map(|point| match point {
             Point::Fails(failure) => match enclosed::decided(link, state, projection) {
-                Decision::Agree => Point::Useless,
+                Decision::Agree | Decision::Absorbed => Point::Useless,
                 Decision::Differ(failure) => Point::Fails(failure),
                 Decision::Open if failure.residual > GROSS && !is_iterated && is_moderate(link, state) => {
                     Point::Fails(failure)

@@ -31,6 +31,10 @@ struct Evaluation {
     balls: Vec<Ball>,
     /// The number of results that may still be computed.
     left: usize,
+    /// The precision in bits.
+    bits: usize,
+    /// Whether a term that is not 0 was too small beside another one to change it.
+    has_absorbed: bool,
 }
 
 /// A real number between known bounds: see the [module](self).
@@ -47,12 +51,26 @@ pub fn evaluate_to<R>(bits: usize, steps: usize, f: impl FnOnce() -> R) -> R {
             EVALUATION.replace(self.0.take());
         }
     }
-    let evaluation = Evaluation { precision: Precision::new(bits), balls: Vec::new(), left: steps };
+    let (precision, balls) = (Precision::new(bits), Vec::new());
+    let evaluation = Evaluation { precision, balls, left: steps, bits, has_absorbed: false };
     let _interrupted = Interrupted(EVALUATION.replace(Some(evaluation)));
     f()
 }
 
+/// Whether the evaluation has added a term that is not 0 and too small beside another one to change it: 1 + e⁻⁵⁰⁰⁰. Two formulas
+/// may then agree to all digits and still differ.
+pub fn has_absorbed() -> bool {
+    with_evaluation(|evaluation| evaluation.has_absorbed).unwrap_or(false)
+}
+
 impl Evaluation {
+    /// Notes whether one of two terms is lost beside the other.
+    fn note_absorbed(&mut self, a: Enclosure, b: Enclosure) {
+        let (Some(a), Some(b)) = (self.ball(a), self.ball(b)) else { return };
+        let (small, large) = if a.log2() < b.log2() { (a, b) } else { (b, a) };
+        self.has_absorbed |= large.log2() - small.log2() > self.bits as f64 && small.excludes_zero();
+    }
+
     fn keep(&mut self, ball: Option<Ball>) -> Enclosure {
         match (ball, self.left.checked_sub(1)) {
             (Some(ball), Some(left)) => {
@@ -188,9 +206,11 @@ impl Arithmetic for Enclosure {
         self.asked(Ball::value).unwrap_or(f64::NAN)
     }
     fn plus(self, other: Self) -> Self {
+        with_evaluation(|evaluation| evaluation.note_absorbed(self, other));
         self.combined(other, Precision::plus)
     }
     fn minus(self, other: Self) -> Self {
+        with_evaluation(|evaluation| evaluation.note_absorbed(self, other));
         self.combined(other, Precision::minus)
     }
     fn times(self, other: Self) -> Self {
