@@ -36,7 +36,7 @@ impl Checker<'_> {
     }
 
     /// Whether a display without its definitions may depend on a name in a way that its links do not show.
-    fn is_judged_as_a_whole(&self, at: usize, introduced: &DefinedSymbol) -> Result<bool> {
+    pub(crate) fn is_judged_as_a_whole(&self, at: usize, introduced: &DefinedSymbol) -> Result<bool> {
         let text = &self.notes.equations[at].text;
         let name = &self.model.symbols.entry(introduced.symbol).name.base;
         if forms_derivatives(text) && text.contains(name.as_str()) {
@@ -69,7 +69,7 @@ impl Checker<'_> {
     }
 
     /// The verdicts on a display in another model, in which it is read again if it contains a derivative.
-    fn verdicts_with(&self, at: usize, model: &Model) -> Result<Vec<Verdict>> {
+    pub(crate) fn verdicts_with(&self, at: usize, model: &Model) -> Result<Vec<Verdict>> {
         let none = Claim::default();
         let (display, claim) = (&self.notes.equations[at], self.assigned[at].unwrap_or(&none));
         let mut reading = self.without_definitions(at);

@@ -15,6 +15,7 @@ use crate::check::certificate::formulas;
 use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
 use crate::check::equations::definition_tests::DefinitionTests;
+use crate::check::model::Model;
 use crate::check::repair::ranking::{adds_parentheses, rank};
 use crate::check::repair::suggest::is_in_source;
 use crate::check::trial::failed_display::{FailedDisplay, MISSING};
@@ -45,9 +46,12 @@ impl Checker<'_> {
     pub(crate) fn culprit(&self, failed: usize) -> Result<Option<Culprit>> {
         let members = || self.readings[failed].statements.iter().flatten().flat_map(|statement| &statement.members);
         let uses = |new: &DefinedSymbol| members().any(|member| self.model.depends_on(member, &[new.symbol]));
-        let defining = |at: &usize| *at != failed && self.readings[*at].introduced.iter().any(uses);
+        let uses_it = |new: &DefinedSymbol| uses(new) || self.is_judged_as_a_whole(failed, new).unwrap_or(false);
+        let defining = |at: &usize| *at != failed && self.readings[*at].introduced.iter().any(uses_it);
         let mut found: Option<Culprit> = None;
-        for at in (0..failed).rev().filter(defining).take(SUSPECTED) {
+        // An equation may stand before the display that gives its solution.
+        let later = failed + 1..self.readings.len();
+        for at in (0..failed).rev().chain(later).filter(defining).take(SUSPECTED) {
             let Some(culprit) = self.edited_definition(at, failed)? else { continue };
             if found.as_ref().is_none_or(|known| known.others.len() < culprit.others.len()) {
                 found = Some(culprit);
@@ -81,6 +85,10 @@ impl Checker<'_> {
         // A display that fails in another part fails with every edit.
         let printed: Vec<Expr> = introduced.iter().map(|new| new.formula.clone()).collect();
         let passes_now = self.redefined_verdict(&own, &display.text, &printed).is_some();
+        let whole = match introduced.as_slice() {
+            [new] => WholeUsers::of(self, new, failed)?,
+            _ => None,
+        };
         let mut best: Option<Culprit> = None;
         for edit in edits.into_iter().take(TRIED) {
             let text = edit.applied(&display.text);
@@ -111,6 +119,12 @@ impl Checker<'_> {
                     }
                 }
             }
+            if let Some(whole) = whole.as_ref().filter(|_| !is_tested && !breaks) {
+                is_tested = true;
+                let found = whole.with(&formulas[0]);
+                (holds, breaks) = (found.holds, found.breaks);
+                others.extend(found.others.into_iter().filter(|of| !others.contains(of)).collect::<Vec<_>>());
+            }
             let is_better = best.as_ref().is_none_or(|known| known.others.len() < others.len());
             let passes = || !passes_now || self.redefined_verdict(&own, &text, &formulas).is_some();
             if is_tested && holds && !breaks && is_better && passes() {
@@ -128,6 +142,64 @@ impl Checker<'_> {
             }
         }
         Ok(best)
+    }
+}
+
+/// The displays whose readings have a derivative of a definition in the place of its name, among them a failed one.
+struct WholeUsers<'c, 'a> {
+    checker: &'c Checker<'a>,
+    defined: &'c DefinedSymbol,
+    failed: usize,
+    /// The others, and whether each holds as printed.
+    others: Vec<(usize, bool)>,
+}
+
+/// What another formula for the name makes of them.
+struct WithFormula {
+    holds: bool,
+    breaks: bool,
+    others: Vec<String>,
+}
+
+impl<'c, 'a> WholeUsers<'c, 'a> {
+    /// Those of a definition; `None` where the failed display is none of them.
+    fn of(checker: &'c Checker<'a>, defined: &'c DefinedSymbol, failed: usize) -> Result<Option<Self>> {
+        if !checker.is_judged_as_a_whole(failed, defined)? {
+            return Ok(None);
+        }
+        let mut users = WholeUsers { checker, defined, failed, others: Vec::new() };
+        for at in (0..checker.readings.len()).filter(|at| *at != failed) {
+            if checker.is_judged_as_a_whole(at, defined)? {
+                let held = users.passes(at, checker.model);
+                users.others.push((at, held));
+            }
+        }
+        Ok(Some(users))
+    }
+
+    fn passes(&self, at: usize, model: &Model) -> bool {
+        let verdicts = self.checker.verdicts_with(at, model).unwrap_or_default();
+        !verdicts.is_empty() && verdicts.iter().all(|verdict| verdict.passes())
+    }
+
+    fn with(&self, formula: &Expr) -> WithFormula {
+        let mut found = WithFormula { holds: false, breaks: false, others: Vec::new() };
+        if self.checker.model.depends_on(formula, &[self.defined.symbol]) {
+            return found;
+        }
+        let mut model = self.checker.model.clone();
+        model.redefine(self.defined.symbol, formula.clone());
+        found.holds = self.passes(self.failed, &model);
+        if found.holds {
+            for (at, held) in &self.others {
+                match (held, self.passes(*at, &model)) {
+                    (true, false) => found.breaks = true,
+                    (false, true) => found.others.push(shown(&self.checker.notes.equations[*at])),
+                    _ => {}
+                }
+            }
+        }
+        found
     }
 }
 
