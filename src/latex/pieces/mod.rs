@@ -37,6 +37,7 @@ pub(super) fn pieces(items: &[Item], is_abstract: bool) -> Vec<Piece<'_>> {
     for (at, row) in rows(items, is_abstract).into_iter().enumerate() {
         split(row, at + 1, &mut pieces, is_abstract);
     }
+    drop_captions(&mut pieces);
     match is_abstract {
         true => join_lists(&mut pieces),
         false => reject_lone_values(&mut pieces),
@@ -353,6 +354,18 @@ fn join_lists(pieces: &mut Vec<Piece<'_>>) {
         before.constant = here.constant;
     }
     *pieces = joined;
+}
+
+/// Leaves out words with a colon that announce a statement: `\text{equal masses } (M = m): \quad \Omega = …`.
+fn drop_captions(pieces: &mut Vec<Piece<'_>>) {
+    let is_caption = |piece: &Piece<'_>| {
+        let [Link { relation: None, items }] = piece.links.as_slice() else { return false };
+        let mut significant = items.iter().filter(|item| is_significant(item));
+        let is_text = matches!(significant.next().map(|item| &item.layout), Some(Layout::Text(_)));
+        is_text && significant.next_back().is_some_and(|item| item.layout == Layout::Other(':'))
+    };
+    let rows: Vec<usize> = pieces.iter().filter(|piece| !is_caption(piece)).map(|piece| piece.row).collect();
+    pieces.retain(|piece| !is_caption(piece) || !rows.contains(&piece.row));
 }
 
 /// Marks statements without a relation beside statements with one: the values of `i = 1, 2, 3`, the x of `x, y > 0`.
