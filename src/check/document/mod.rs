@@ -4,6 +4,7 @@
 //! [`checker::Checker`], all that the check of one equation needs. Knows `kinds` and below.
 
 pub(crate) mod checker;
+pub(crate) mod coordinate_chains;
 pub(crate) mod definition;
 pub(crate) mod inferred;
 pub(crate) mod motion_by_laws;

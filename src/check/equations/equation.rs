@@ -4,14 +4,14 @@ use crate::code::Code;
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
 use crate::latex::{DefinedSymbol, Macros, Reading, read_display};
 use crate::notes::Display;
-use crate::notes::claims::{Claim, Holds};
+use crate::notes::claims::{Claim, Holds, Spanned};
 use crate::source::{Fault, Span};
 use crate::{Error, Result};
 
 use crate::check::certificate::formulas;
 use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
-use crate::check::document::reading::for_each;
+use crate::check::document::reading::{approximate, for_each};
 use crate::check::equations::chain::JudgedLink;
 use crate::check::equations::chain_certificates;
 use crate::check::equations::merge::{expected, merged, worst};
@@ -166,6 +166,15 @@ impl Checker<'_> {
         self.if_it_lasts(parts, claim, |lasting| self.parts_at_an_instant(place, reading, lasting, topic))
     }
 
+    /// Whether the words around a display say in which limit it holds, and it has no ≈: "when $M \\to \\infty$, $\\Omega = …$".
+    fn is_approached(&self, reading: &Reading, claim: &Claim) -> bool {
+        let is_near = |statement: &Statement| {
+            statement.relations.iter().any(|(relation, _)| *relation == Relation::Approximately)
+        };
+        let is_of_prose = |limit: &Spanned<String>| limit.span == Span::default();
+        claim.limit.as_ref().is_some_and(is_of_prose) && !reading.statements.iter().flatten().any(is_near)
+    }
+
     /// The same, with each hypothesis as the claim has it.
     fn parts_at_an_instant(
         &self,
@@ -174,6 +183,11 @@ impl Checker<'_> {
         claim: &Claim,
         topic: &str,
     ) -> Result<Vec<Part>> {
+        let meant = match self.is_approached(reading, claim) {
+            true => Some(approximate(reading)),
+            false => self.with_each_solution(reading),
+        };
+        let reading = meant.as_ref().unwrap_or(reading);
         if let Some(reason) = &claim.skip {
             let finding =
                 Finding::new(Code::Skipped, Verdict::Unclaimed, Span::at(offset), format!("skipped: {}", reason.value));

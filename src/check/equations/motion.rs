@@ -54,9 +54,14 @@ impl Checker<'_> {
             self.readings.iter().enumerate().filter(|(at, _)| self.assigned[*at].is_none_or(|c| c.expect.is_none()));
         let printed = |reading: &Reading| -> Vec<Solution> {
             let statements = reading.statements.iter().flatten().filter(|statement| !statement.relations.is_empty());
-            let first = statements.filter_map(|statement| {
-                let link = self.link(&statement.members[0], statement.relations[0].0, &statement.members[1]).ok()?;
-                Solution::of_link_or_constant(&link, self.model).filter(|found| found.dots == 0)
+            // `x_1 = x_3 = f(t)` is a solution for each.
+            let first = statements.flat_map(|statement| {
+                let names = self.leading_coordinates(statement).max(1);
+                let value = statement.members.get(names);
+                statement.members[..names].iter().filter_map(move |name| {
+                    let link = self.link(name, statement.relations[0].0, value?).ok()?;
+                    Solution::of_link_or_constant(&link, self.model).filter(|found| found.dots == 0)
+                })
             });
             let found: Vec<Solution> = first.collect();
             match found.iter().any(|solution| self.model.contains_time(&solution.formula)) {
