@@ -54,7 +54,7 @@ fn what_is_constant_follows_from_a_relation_between_rates() {
     };
     assert_eq!(verdicts("adiabat", "notes.md", &adiabat(r"\gamma-1"))[1], "verified");
     for (name, wrong) in [("sign", r"1-\gamma"), ("power", r"\gamma"), ("sum", r"\gamma+1")] {
-        let found = verdicts(name, "notes.md", &adiabat(wrong));
+        let found = verdicts(&format!("adiabat-{name}"), "notes.md", &adiabat(wrong));
         assert!(["refuted", "undecided"].contains(&found[1].as_str()), "{name}: {found:?}");
     }
 }
