@@ -54,6 +54,22 @@ fn underflow_refutes_nothing() {
     }
 }
 
+#[test]
+fn what_agrees_to_hundreds_of_digits_may_still_differ() {
+    // tanh 15627 is below 1 by 10⁻¹³⁵⁷³, and no number of digits that is tried shows it.
+    for (right, wrong) in [
+        (r"\tanh(1000 + x^2) = \frac{\sinh(1000 + x^2)}{\cosh(1000 + x^2)}", r"\tanh(1000 + x^2) = 1"),
+        (r"\tanh(15627) x = x \tanh(15627)", r"\tanh(15627) x = 1.000001 x \tanh(15627 \cdot 1.000001)"),
+        (r"1 + e^{-40} x = 1 + x e^{-40}", r"1 + e^{-5000 - x^2} = 1"),
+        (r"\coth(2000) x = x \coth(2000)", r"\coth(2000) x = x"),
+    ] {
+        assert!(!matches!(of(right).verdict, Refuted), "{right}: {:?}", of(right));
+        assert!(!of(wrong).verdict.holds(), "{wrong}: {:?}", of(wrong));
+    }
+    // What doubles lose and more digits show is still refuted.
+    assert_eq!(of(r"\tanh(100) x = x").verdict, Refuted);
+}
+
 /// Numbers that differ in the last of their hundred digits.
 const HUNDRED_ONES: &str = r"\sin(0.1111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111 x) = \sin(0.11111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111110 x)";
 const HUNDRED_ONES_AND_A_TWO: &str = r"\sin(0.1111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111 x) = \sin(0.1111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111111112 x)";

@@ -137,3 +137,23 @@ fn an_inequality_is_wrong_in_its_direction_only() {
     let found = findings("otto-slip", &otto(r"\eta = 1 + \frac{T_1}{T_2} = 1 - \frac{T_1}{T_2}"));
     assert!(found.iter().any(|(verdict, code, _)| verdict == "refuted" || code == "contradiction"), "{found:?}");
 }
+
+#[test]
+fn a_solution_is_wrong_that_the_equations_before_it_contradict() {
+    let notes = |solution: &str| {
+        format!(
+            "The velocity of a film obeys\n\n$$ \\eta \\frac{{d^2 u}}{{dy^2}} = - \\rho g \\tag{{1}} $$\n\nOne integration yields\n\n\
+             $$ \\frac{{du}}{{dy}} = \\frac{{\\rho g}}{{\\eta}} (h - y) \\tag{{2}} $$\n\nand another one\n\n\
+             $$ u(y) = \\frac{{\\rho g}}{{\\eta}} \\left( h y - {solution} \\right) \\tag{{3}} $$\n"
+        )
+    };
+    let right = findings("solution-right", &notes(r"\frac12 y^2"));
+    assert!(right.iter().all(|(verdict, ..)| verdict != "refuted"), "{right:?}");
+    let wrong = findings("solution-wrong", &notes("y^2"));
+    assert_eq!(wrong[2].0, "refuted", "{wrong:?}");
+    assert!(wrong[..2].iter().all(|(verdict, ..)| verdict != "refuted"), "{wrong:?}");
+    // One equation that is wrong leaves the solution as it is.
+    let text = notes(r"\frac12 y^2").replace("(h - y)", "(h + y)");
+    let one = findings("solution-beside", &text);
+    assert_eq!((one[1].0.as_str(), one[2].0 == "refuted"), ("refuted", false), "{one:?}");
+}
