@@ -59,6 +59,8 @@ mod sizes;
 mod small;
 #[path = "checks/solutions_of_laws.rs"]
 mod solutions_of_laws;
+#[path = "checks/special_cases.rs"]
+mod special_cases;
 #[path = "checks/steady.rs"]
 mod steady;
 #[path = "checks/steps.rs"]

@@ -83,20 +83,20 @@ is a constant of the motion. The period of small oscillations is
 $$ T = 2\pi\sqrt{\frac lg} \tag{3} $$
 ";
 
-fn claims(coordinates: &Json, constants: &str) -> Json {
+pub(crate) fn claims(coordinates: &Json, constants: &str) -> Json {
     json!({ "coordinates": coordinates, "constants": { constants: "> 0" }, "means": { "L": "Lagrangian" } })
 }
 
-fn checked(claims: &Json, notes: &str) -> Document {
+pub(crate) fn checked(claims: &Json, notes: &str) -> Document {
     document(claims, notes, &Registry::standard(), None).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn of<'d>(document: &'d Document, id: &str) -> &'d Equation {
+pub(crate) fn of<'d>(document: &'d Document, id: &str) -> &'d Equation {
     document.equations.iter().find(|equation| equation.id == id).expect("the display is there")
 }
 
 /// All displays pass, and each slip is refuted in its display, with an edit that makes all displays pass.
-fn passes_and_finds(claims: &Json, notes: &str, slips: &[(&str, &str, &str)]) {
+pub(crate) fn passes_and_finds(claims: &Json, notes: &str, slips: &[(&str, &str, &str)]) {
     let found = checked(claims, notes);
     let wrong: Vec<_> = found.equations.iter().filter(|equation| !equation.ok).collect();
     assert!(wrong.is_empty(), "{wrong:#?}");

@@ -13,7 +13,7 @@
 use std::sync::Arc;
 
 use crate::formula::symbols::Name;
-use crate::formula::{Expr, IndexId, Statement, SymbolId, Symbols};
+use crate::formula::{Expr, IndexId, Relation, Statement, SymbolId, Symbols};
 use crate::latex::{Reading, name_search, names, read_display};
 use crate::notes::Notes;
 use crate::notes::claims::{Claim, Claims, Components, Declaration, Erratum, Spanned};
@@ -394,4 +394,15 @@ pub(crate) fn for_each(claim: Option<&Claim>, model: &Model) -> Option<IndexId> 
     let letter = claim?.for_each.as_ref()?;
     let (name, _) = names::parse(&letter.value)?;
     model.symbols.index(&name.to_string())
+}
+
+/// The reading with ≈ in place of each =.
+pub(crate) fn approximate(reading: &Reading) -> Reading {
+    let mut reading = reading.clone();
+    for statement in reading.statements.iter_mut().flatten() {
+        for (relation, _) in statement.relations.iter_mut().filter(|(relation, _)| is_equality(*relation)) {
+            *relation = Relation::Approximately;
+        }
+    }
+    reading
 }

@@ -7,6 +7,7 @@ use crate::notes::claims::Claim;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
+pub(super) use crate::check::document::reading::approximate;
 use crate::check::model::claim::is_equality;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -127,15 +128,4 @@ pub(super) fn composed(start: &Reading, row: &Reading) -> Option<Reading> {
         statements.push(Ok(Statement { members, relations, ..row.clone() }));
     }
     Some(Reading { statements, introduced: Vec::new() })
-}
-
-/// The reading with ≈ in place of each =.
-pub(super) fn approximate(reading: &Reading) -> Reading {
-    let mut reading = reading.clone();
-    for statement in reading.statements.iter_mut().flatten() {
-        for (relation, _) in statement.relations.iter_mut().filter(|(relation, _)| is_equality(*relation)) {
-            *relation = Relation::Approximately;
-        }
-    }
-    reading
 }

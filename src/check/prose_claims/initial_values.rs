@@ -8,14 +8,8 @@ use crate::notes::claims::Claim;
 
 use super::notes_names::NotesNames;
 use super::places::Place;
-use super::words::Sentence;
+use super::words::{RELEASED, REST, Sentence};
 use super::{ProseClaim, spanned};
-
-/// Words for the begin of a motion, as they begin.
-const RELEASED: [&str; 7] = ["releas", "start", "begin", "losgelass", "lâch", "abandonn", "suelta"];
-
-/// Words for rest.
-const REST: [&str; 5] = ["rest", "ruhe", "repos", "reposo", "riposo"];
 
 /// The claims of the displays with the value of a coordinate from which a motion begins.
 pub(super) fn infer(notes_names: &NotesNames<'_>, places: &[Place]) -> Vec<ProseClaim> {

@@ -14,9 +14,11 @@
 //! | `quantities` | effective potentials, and what is said to be conserved |
 //! | `constants` | names that only the prose introduces |
 //! | `initial_values` | where a motion begins that is released from rest |
+//! | `conditions` | special cases, for displays that fail without them |
 //!
 //! Knows the whole check of a document, [`check_in`], and no notes without claims.
 
+mod conditions;
 mod constants;
 mod frequencies;
 mod initial_values;
@@ -24,6 +26,8 @@ mod notes_names;
 mod places;
 mod quantities;
 mod words;
+
+use std::cell::OnceCell;
 
 use crate::Result;
 use crate::latex::name_search;
@@ -80,36 +84,163 @@ pub(crate) struct ProseClaim {
 pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
     // Other displays decide what words mean too.
     let quiet = Run { only: None, progress: &(), ..*run };
-    let options = Options { explain: false, ..run.options };
-    // Edits are sought last, since they cost most.
-    let mut said = kept(&Run { options, ..quiet }, (claims, notes), infer(claims, notes), ProseClaim::may_stand);
-    if said.iter().any(|claim| claim.is_doubtful) {
-        said = kept(&quiet, (claims, notes), said, ProseClaim::stands);
-    }
-    if said.is_empty() {
-        return check_in(run, claims, notes);
-    }
-    let mut found = check_in(run, &added(claims, notes, &said), notes)?;
+    let all = infer(claims, notes);
+    let is_conserved = |one: &ProseClaim| one.claims.iter().any(|(_, claim)| claim.conserved.is_some());
+    let conserved: Vec<ProseClaim> = all.iter().filter(|one| is_conserved(one)).cloned().collect();
+    let (mut said, brief) = standing(&quiet, (claims, notes), all, true);
+    let dropped = conserved.into_iter().filter(|one| !said.iter().any(|kept| kept.displays == one.displays));
+    let dropped: Vec<ProseClaim> = dropped.collect();
+    let with = added(claims, notes, &said);
+    let checked = if brief.is_some() { None } else { Some(check_in(run, &with, notes)?) };
+    let special = match brief.as_ref().or(checked.as_ref()) {
+        Some(found) => special_cases(&quiet, (&with, notes), found, &dropped),
+        None => Vec::new(),
+    };
+    let mut found = match checked.filter(|_| special.is_empty()) {
+        Some(found) => found,
+        None => check_in(run, &added(&with, notes, &special), notes)?,
+    };
+    said.extend(special);
     found.inferred.extend(said.iter().map(|claim| claim.why.clone()).filter(|why| !why.is_empty()));
     Ok(found)
 }
 
-/// The claims that stand together. Where the document cannot be checked with them, there are none.
+/// The claims that stand together, and the document with them, without explanations; none where there is no claim. Their displays
+/// pass, or edits make them pass, which are sought last, since they cost most: edits of other displays only if that `is_thorough`.
+fn standing(
+    run: &Run<'_>,
+    (claims, notes): (&Claims, &Notes),
+    mut said: Vec<ProseClaim>,
+    is_thorough: bool,
+) -> (Vec<ProseClaim>, Option<Document>) {
+    let brief = Run { options: Options { explain: false, ..run.options }, ..*run };
+    loop {
+        let (kept, document) = kept(&brief, (claims, notes), said, ProseClaim::may_stand);
+        let with = added(claims, notes, &kept);
+        let stands = |claim: &ProseClaim| {
+            let mut displays = claim.displays.iter().filter_map(|at| notes.equations[*at].id());
+            displays.all(|id| {
+                check_in(&Run { only: Some(id), ..*run }, &with, notes).is_ok_and(|it| claim.stands(&it, notes))
+            })
+        };
+        // Edits of other displays are known where all are checked.
+        let all = OnceCell::new();
+        let stands_with_all = |claim: &ProseClaim| {
+            let all: &Option<Document> = all.get_or_init(|| check_in(run, &with, notes).ok());
+            is_thorough && all.as_ref().is_some_and(|all| claim.stands(all, notes))
+        };
+        let falls = kept.iter().position(|claim| claim.is_doubtful && !stands(claim) && !stands_with_all(claim));
+        said = kept;
+        match falls {
+            Some(falls) => drop(said.remove(falls)),
+            None => return (said, document),
+        }
+    }
+}
+
+/// The claims that displays that fail are about special cases, which the words around them state. `dropped` are claims that
+/// something is conserved, which do not hold in general.
+fn special_cases(
+    run: &Run<'_>,
+    (claims, notes): (&Claims, &Notes),
+    found: &Document,
+    dropped: &[ProseClaim],
+) -> Vec<ProseClaim> {
+    let (mut special, mut doubtful) = (Vec::new(), Vec::new());
+    if !has_lagrangian(claims) {
+        return special;
+    }
+    let names = NotesNames::of(claims, notes);
+    let fails = |at: usize| {
+        let id = notes.equations[at].id();
+        let equation = found.equations.iter().find(|equation| Some(equation.id.as_str()) == id);
+        equation.is_some_and(|equation| !equation.ok && !equation.finding.is_untested_definition())
+    };
+    let dropped = |at: usize| dropped.iter().find(|one| one.displays.contains(&at));
+    let mut open: Vec<usize> =
+        (0..notes.equations.len()).filter(|at| names.is_free(*at) && (fails(*at) || dropped(*at).is_some())).collect();
+    let options = Options { explain: false, ..run.options };
+    let brief = Run { options, ..*run };
+    for scope in conditions::Scope::ALL {
+        let about = |at: usize| {
+            let mut case = conditions::infer(&names, at, scope)?;
+            if let Some(conserved) = dropped(at) {
+                case.claims.iter_mut().for_each(|(_, claim)| join(claim, &conserved.claims[0].1));
+            }
+            Some(case)
+        };
+        let said: Vec<ProseClaim> = open.iter().filter_map(|at| about(*at)).collect();
+        let (new, refuted) = tested(&brief, (&added(claims, notes, &special), notes), said);
+        open.retain(|at| !new.iter().any(|claim| claim.displays.contains(at)));
+        special.extend(new);
+        // The nearest words count.
+        let is_new = |claim: &ProseClaim| doubtful.iter().all(|other: &ProseClaim| other.displays != claim.displays);
+        let refuted: Vec<ProseClaim> = refuted.into_iter().filter(is_new).collect();
+        doubtful.extend(refuted);
+        doubtful.retain(|claim| open.contains(&claim.displays[0]));
+    }
+    let with = added(claims, notes, &special);
+    special.extend(standing(run, (&with, notes), doubtful, false).0);
+    special
+}
+
+/// Which of some claims hold: their displays pass with them, and which are refuted. Those that do not fit their displays are neither.
+fn tested(
+    run: &Run<'_>,
+    (claims, notes): (&Claims, &Notes),
+    mut said: Vec<ProseClaim>,
+) -> (Vec<ProseClaim>, Vec<ProseClaim>) {
+    let mut refuted = Vec::new();
+    while !said.is_empty() {
+        let found = with_checker(run, &added(claims, notes, &said), notes, |checker| {
+            let verdict = |at: &usize| {
+                let equation = checker.equation(*at, checker.assigned[*at]).ok()?;
+                Some((equation.ok, is_refuted(&equation)))
+            };
+            Ok(said.iter().map(|claim| claim.displays.first().and_then(verdict)).collect::<Vec<_>>())
+        });
+        let Ok(found) = found else { break };
+        if found.iter().all(|verdict| matches!(verdict, Some((true, _)))) {
+            return (said, refuted);
+        }
+        let mut kept = Vec::new();
+        for (claim, verdict) in said.into_iter().zip(found) {
+            match verdict {
+                Some((true, _)) => kept.push(claim),
+                Some((false, true)) => refuted.push(claim),
+                Some((false, false)) | None => {}
+            }
+        }
+        said = kept;
+    }
+    (Vec::new(), refuted)
+}
+
+/// The claims that stand together, and the document with them. Where the document cannot be checked with them, there are none.
 fn kept(
     run: &Run<'_>,
     (claims, notes): (&Claims, &Notes),
     mut said: Vec<ProseClaim>,
     stands: fn(&mut ProseClaim, &Document, &Notes) -> bool,
-) -> Vec<ProseClaim> {
+) -> (Vec<ProseClaim>, Option<Document>) {
+    let check = |said: &[ProseClaim]| check_in(run, &added(claims, notes, said), notes);
     while !said.is_empty() {
-        let Ok(found) = check_in(run, &added(claims, notes, &said), notes) else { return Vec::new() };
+        let Ok(found) = check(&said) else {
+            // One that cannot be read is no reason to drop the others.
+            let before = said.len();
+            said.retain(|claim| check(std::slice::from_ref(claim)).is_ok());
+            if said.len() == before {
+                return (Vec::new(), None);
+            }
+            continue;
+        };
         let before = said.len();
         said.retain_mut(|claim| stands(claim, &found, notes));
         if said.len() == before {
-            break;
+            return (said, Some(found));
         }
     }
-    said
+    (said, None)
 }
 
 /// Guessed claims with those that the prose makes, as far as their displays pass with them or are refuted.
@@ -142,8 +273,7 @@ pub(crate) fn with_guesses(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Cla
 
 /// The claims that the prose makes. There are none without a Lagrangian in the notes, which says what follows.
 pub(crate) fn infer(claims: &Claims, notes: &Notes) -> Vec<ProseClaim> {
-    let has_lagrangian = claims.system.is_none() && claims.means.iter().any(|(_, what)| what.value == "Lagrangian");
-    if !has_lagrangian {
+    if !has_lagrangian(claims) {
         return Vec::new();
     }
     let names = NotesNames::of(claims, notes);
@@ -156,6 +286,11 @@ pub(crate) fn infer(claims: &Claims, notes: &Notes) -> Vec<ProseClaim> {
     said.extend(initial_values::infer(&names, &places));
     said.extend(places.into_iter().map(|place| place.claim));
     said
+}
+
+/// Whether the notes define the Lagrangian.
+fn has_lagrangian(claims: &Claims) -> bool {
+    claims.system.is_none() && claims.means.iter().any(|(_, what)| what.value == "Lagrangian")
 }
 
 /// Claims with those that the prose makes.
@@ -198,9 +333,7 @@ fn join(known: &mut Claim, new: &Claim) {
     let fresh = new.implied.iter().filter(|one| !known.implied.iter().any(|other| other.value == one.value));
     let fresh: Vec<Spanned<String>> = fresh.cloned().collect();
     known.implied.extend(fresh);
-    if known.assume.is_empty() {
-        known.assume.clone_from(&new.assume);
-    }
+    conditions::join(known, new);
     known.conserved = known.conserved.take().or_else(|| new.conserved.clone());
     known.equilibrium = known.equilibrium.take().or_else(|| new.equilibrium.clone());
     known.secular_for = known.secular_for.take().or_else(|| new.secular_for.clone());
@@ -247,15 +380,12 @@ impl ProseClaim {
             }
     }
 
-    /// Whether its displays pass with it, or an edit of each makes them pass.
-    fn stands(&mut self, found: &Document, notes: &Notes) -> bool {
+    /// Whether the displays of it that a document has pass with it, or an edit of each makes them pass.
+    fn stands(&self, found: &Document, notes: &Notes) -> bool {
         let findings = self.findings(found, notes);
         let is_slip = |equation: &Equation| self.may_refute(equation) && !equation.repairs.is_empty();
         match self.is_enough {
-            true => {
-                findings.iter().any(|equation| passes(equation))
-                    && findings.iter().all(|equation| !is_refuted(equation) || is_slip(equation))
-            }
+            true => findings.iter().all(|equation| !is_refuted(equation) || is_slip(equation)),
             false => findings.iter().all(|equation| passes(equation) || is_slip(equation)),
         }
     }

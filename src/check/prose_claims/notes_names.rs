@@ -2,8 +2,8 @@
 
 use crate::formula::symbols::Name;
 use crate::latex::{Macros, name_search, names};
-use crate::notes::Notes;
 use crate::notes::claims::{Claims, Declaration, Role};
+use crate::notes::{Display, Notes};
 
 use crate::check::document::setup::{assign, define_macros};
 use crate::check::prose_claims::words::Sentence;
@@ -93,8 +93,14 @@ impl<'a> NotesNames<'a> {
 
     /// Whether a display mentions a name, with primes too.
     pub fn mentions(&self, at: usize, name: &str) -> bool {
-        let Some((name, _)) = names::parse(name) else { return false };
-        let names = names_of(std::slice::from_ref(&self.notes.equations[at]), &self.macros);
+        self.has_name(&self.notes.equations[at].text, name)
+    }
+
+    /// Whether a formula does.
+    pub fn has_name(&self, formula: &str, name: &str) -> bool {
+        let (Some((name, _)), Some(display)) = (names::parse(name), self.notes.equations.first()) else { return false };
+        let display = Display { text: formula.to_owned(), ..display.clone() };
+        let names = names_of(std::slice::from_ref(&display), &self.macros);
         names.iter().any(|usage| usage.name.base == name.base && usage.name.subscript == name.subscript)
     }
 

@@ -3,6 +3,12 @@
 use crate::check::document::inferred::prose::{body_of, sentence_start, words_between};
 use crate::notes::Notes;
 
+/// Words for the begin of a motion, as they begin.
+pub(super) const RELEASED: [&str; 7] = ["releas", "start", "begin", "losgelass", "lâch", "abandonn", "suelta"];
+
+/// Words for rest.
+pub(super) const REST: [&str; 5] = ["rest", "ruhe", "repos", "reposo", "riposo"];
+
 /// The most bytes after a display that are taken for the end of its sentence.
 const LONGEST_END: usize = 160;
 
@@ -36,6 +42,30 @@ impl Sentence {
             from += 1;
         }
         Sentence::between(notes, from, end)
+    }
+
+    /// The sentences between the `at`-th display and the one before it, in order.
+    pub fn all_before(notes: &Notes, at: usize) -> Vec<Self> {
+        let end = notes.equations[at].span.start;
+        let before = notes.equations.iter().map(|other| other.span.end).filter(|before| *before <= end).max();
+        let mut from = before.unwrap_or(0).max(end.saturating_sub(LONGEST_PARAGRAPH));
+        while !notes.source.text.is_char_boundary(from) {
+            from += 1;
+        }
+        let text = &notes.source.text;
+        let is_inside = |at: usize| notes.inline.iter().any(|span| span.start <= at && at < span.end);
+        let is_end = |at: usize, mark: char| {
+            let rest = &text[at + mark.len_utf8()..end];
+            matches!(mark, '.' | '?' | '!' | ';')
+                && rest.starts_with(|c: char| c.is_whitespace() || matches!(c, '*' | ')' | '}'))
+                && !rest.trim().is_empty()
+                && !is_inside(at)
+        };
+        let marks = text[from..end].char_indices().map(|(place, mark)| (from + place, mark));
+        let ends: Vec<usize> =
+            marks.filter(|(at, mark)| is_end(*at, *mark)).map(|(at, mark)| at + mark.len_utf8()).chain([end]).collect();
+        let starts = std::iter::once(from).chain(ends.iter().copied());
+        starts.zip(&ends).map(|(start, end)| Sentence::between(notes, start, *end)).collect()
     }
 
     /// The part after the `at`-th display; empty where the display ends the sentence.

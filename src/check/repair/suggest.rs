@@ -87,7 +87,9 @@ impl Checker<'_> {
         let is_known = claim.expect.is_some() || !claim.errata.is_empty();
         // Of numbers the finding says what they give; an edit that puts letters among them is none that the author meant.
         let is_numeric = equation.finding.code == Code::NumbersDiffer;
-        if equation.ok || is_known || is_numeric || !self.options.explain {
+        // What is missing is a claim, and no edit of the display makes one.
+        let lacks_a_claim = equation.finding.code == Code::NeedsLimitOrSmall;
+        if lacks_a_claim || equation.ok || is_known || is_numeric || !self.options.explain {
             return Ok(equation);
         }
         if !self.is_tried(at) {

@@ -1,0 +1,261 @@
+//! Special cases that formulas in the words around a display state: "if the bob does not swing ($\theta = 0$)", "for $M = 3m$",
+//! "when $c \to \infty$", "equal masses ($M = m$):".
+//!
+//! They are tried for displays alone that fail without them, first those of the own sentence, then those of the paragraph, then
+//! all since the last heading. A coordinate or a rate that has a value has it at all times, unless the words say that the
+//! motion begins there.
+
+use crate::formula::symbols::Name;
+use crate::latex::{name_search, names};
+use crate::notes::Notes;
+use crate::notes::claims::{Claim, Declaration, Range, Spanned};
+
+use super::notes_names::NotesNames;
+use super::places::is_value_of;
+use super::words::{RELEASED, REST, Sentence};
+use super::{ProseClaim, spanned};
+
+/// Words for the begin of a motion beside those for a release, as they begin.
+const FIRST: [&str; 5] = ["first", "initial", "anfang", "anfäng", "début"];
+
+/// What stands in formulas that say what a name is, and in no value.
+const FORMULAS: [&str; 3] = ["\\dot", "\\sqrt", "("];
+
+/// Words for the rate of an angle, as they begin.
+const TURNS: [&str; 9] =
+    ["angular", "goes", "turn", "rotat", "revol", "precess", "winkelgeschw", "umläuf", "angulaire"];
+
+/// Where conditions are sought, from near to far.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Scope {
+    /// In the display, and in so many sentences before it.
+    Sentences(usize),
+    /// In all words since the last heading.
+    Section,
+}
+
+impl Scope {
+    pub const ALL: [Scope; 4] =
+        [Scope::Sentences(1), Scope::Sentences(2), Scope::Sentences(usize::MAX), Scope::Section];
+}
+
+/// What the words of some scope say of the case that a display is about.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Case {
+    /// Values at all times, each with what has it.
+    throughout: Vec<(String, String)>,
+    /// Other equations and inequalities.
+    assume: Vec<String>,
+    /// A limit.
+    limit: Option<String>,
+    /// Constants that only these formulas name.
+    constants: Vec<(String, Range)>,
+}
+
+/// The claim that a display is about the case that the words of a scope state; `None` where they state none.
+pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<ProseClaim> {
+    let mut case = Case::default();
+    let first = match scope {
+        Scope::Section => section_start(names.notes, at),
+        Scope::Sentences(_) => at,
+    };
+    for display in first..=at {
+        let sentences = Sentence::all_before(names.notes, display);
+        let skipped = match scope {
+            Scope::Sentences(count) => sentences.len().saturating_sub(count),
+            Scope::Section => 0,
+        };
+        for words in &sentences[skipped..] {
+            case.add(names, at, (words, &words.formulas));
+            case.turns(names, display, words);
+        }
+        if let Some(words) = sentences.last() {
+            case.add(names, at, (words, &inside(&names.notes.equations[display].text)));
+        }
+    }
+    // Who says that a name has a value writes the value in its place. A condition on a name that is printed would hide slips.
+    let text = &names.notes.equations[at].text;
+    let printed = if inside(text).is_empty() {
+        text.as_str()
+    } else {
+        text.split_once(':').map_or(text.as_str(), |(_, rest)| rest)
+    };
+    let is_printed = |name: &str| names.has_name(printed, without_dots(name));
+    case.throughout.retain(|(of, _)| !is_printed(of));
+    case.assume.retain(|said| said.split_once('=').is_none_or(|(of, _)| of.contains("(0)") || !is_printed(of.trim())));
+    let mut claim = Claim {
+        assume: case.assume.into_iter().map(spanned).collect(),
+        limit: case.limit.map(spanned),
+        ..Claim::default()
+    };
+    claim.throughout = case.throughout.into_iter().map(|(of, value)| spanned(format!("{of} = {value}"))).collect();
+    if claim == Claim::default() {
+        return None;
+    }
+    let said: Vec<&str> =
+        claim.throughout.iter().chain(&claim.assume).chain(&claim.limit).map(|text| text.value.as_str()).collect();
+    let id = names.notes.equations[at].id()?;
+    Some(ProseClaim {
+        why: format!("({id}) is about the case {}, as the words around it say", said.join(", ")),
+        constants: case.constants,
+        claims: vec![(at, claim)],
+        displays: vec![at],
+        ..ProseClaim::default()
+    })
+}
+
+/// A name without the dots above it.
+fn without_dots(name: &str) -> &str {
+    name.strip_prefix("\\dot").map_or(name, |rest| rest.trim_matches(['{', '}', ' ']))
+}
+
+/// The first display after the last heading before a display.
+fn section_start(notes: &Notes, at: usize) -> usize {
+    let text = &notes.source.text;
+    let begins = |display: usize| {
+        let end = notes.equations[display].span.start;
+        let from = display.checked_sub(1).map_or(0, |before| notes.equations[before].span.end).min(end);
+        text[from..end].lines().any(is_heading)
+    };
+    (0..=at).rev().find(|display| begins(*display)).unwrap_or(0)
+}
+
+/// Whether a line is a heading, or begins with words that are set off as one.
+fn is_heading(line: &str) -> bool {
+    let line = line.trim_start();
+    let marks = ["#", "**", "*", "\\section", "\\subsection", "\\subsubsection", "\\paragraph", "\\textbf{", "\\emph{"];
+    marks.iter().any(|mark| line.starts_with(mark)) && !line.starts_with("* ")
+}
+
+/// The formulas in brackets in words inside a display: `\text{equal masses } (M = m): \quad`.
+fn inside(display: &str) -> Vec<String> {
+    let trimmed = display.trim_start();
+    if !["\\text", "\\mbox", "\\mathrm"].iter().any(|mark| trimmed.starts_with(mark)) {
+        return Vec::new();
+    }
+    let (Some(open), Some(end)) = (trimmed.find('('), trimmed.find(':')) else { return Vec::new() };
+    let bracket = trimmed.get(open + 1..end).and_then(|inner| inner.trim_end().strip_suffix(')'));
+    bracket.map(|inner| inner.trim_matches(['$', ' ']).to_owned()).into_iter().collect()
+}
+
+impl Case {
+    /// Adds what formulas among words say.
+    fn add(&mut self, names: &NotesNames<'_>, at: usize, (words, formulas): (&Sentence, &[String])) {
+        let begins = words.says(&RELEASED) || words.says(&FIRST) || words.says_phrase(&["let go"]);
+        let rests = words.has_word(&REST);
+        let mut is_start = false;
+        for formula in formulas {
+            if let Some(limit) = limit(formula) {
+                self.limit = Some(limit);
+                continue;
+            }
+            let members: Vec<&str> = formula.split('=').map(str::trim).collect();
+            let Some((value, others)) = members.split_last().filter(|(_, others)| !others.is_empty()) else {
+                if ['<', '>'].iter().any(|sign| formula.contains(*sign)) {
+                    self.assume.push(formula.clone());
+                }
+                continue;
+            };
+            for member in others {
+                if member.contains("\\ddot") || FORMULAS.iter().any(|sign| value.contains(sign)) {
+                    continue;
+                }
+                is_start |= begins && self.starts(names, at, member, value);
+                if !begins {
+                    self.has_value(names, at, member, value);
+                }
+            }
+        }
+        if is_start && rests {
+            for (declared, _) in names.coordinates() {
+                let at_rest = format!("\\dot{{{}}}(0) = 0", declared.name.value);
+                if !self.assume.contains(&at_rest) {
+                    self.assume.push(at_rest);
+                }
+            }
+        }
+    }
+
+    /// Adds that a motion begins where a coordinate has a value. Of constants it says what any condition does.
+    fn starts(&mut self, names: &NotesNames<'_>, at: usize, member: &str, value: &str) -> bool {
+        let Some(declared) = coordinate(names, member) else {
+            self.has_value(names, at, member, value);
+            return false;
+        };
+        let start = format!("{}(0) = {value}", declared.name.value);
+        // Where it begins, it is at rest, or passes at a right angle.
+        let slow = format!("\\dot{{{}}}(0) = 0", declared.name.value);
+        for condition in [start, slow] {
+            if !self.assume.contains(&condition) {
+                self.assume.push(condition);
+            }
+        }
+        true
+    }
+
+    /// Adds that something has a value.
+    fn has_value(&mut self, names: &NotesNames<'_>, at: usize, member: &str, value: &str) {
+        let rate = |one: &Declaration| {
+            let name = &one.name.value;
+            [format!("\\dot{name}"), format!("\\dot {name}"), format!("\\dot{{{name}}}")]
+                .iter()
+                .any(|rate| rate == member)
+        };
+        let moving = coordinate(names, member).is_some() || names.coordinates().any(|(one, _)| rate(one));
+        if moving {
+            let is_given = || (0..=at).any(|display| names.is_given_in(display, value));
+            if names::parse(value).is_some() && !names.is_declared(value) && !is_given() {
+                self.constants.push((value.to_owned(), Range::Any));
+            }
+            self.throughout.retain(|(of, _)| of != member);
+            self.throughout.push((member.to_owned(), value.to_owned()));
+            return;
+        }
+        self.assume.push(format!("{member} = {value}"));
+    }
+
+    /// Adds that a name that a display gives a formula is the rate of the angle, where the words call it so and other coordinates
+    /// stay in their places.
+    fn turns(&mut self, names: &NotesNames<'_>, at: usize, words: &Sentence) {
+        if self.throughout.is_empty() || !words.says(&TURNS) {
+            return;
+        }
+        let is_fixed = |name: &str| self.throughout.iter().any(|(of, _)| of == name || of.contains(name));
+        let mut angles = names
+            .coordinates()
+            .filter(|(one, _)| matches!(one.range.value, Range::Angle) && !is_fixed(&one.name.value));
+        let is_place = |name: &Name| names.coordinates().any(|(_, coordinate)| is_value_of(name, &coordinate));
+        let (Some((angle, _)), None) = (angles.next(), angles.next()) else { return };
+        let given = names.usages.iter().find(|usage| usage.introduced == Some(at) && usage.arguments.is_none());
+        if let Some(given) = given.filter(|given| !is_place(&given.name)) {
+            self.throughout.push((format!("\\dot{{{}}}", angle.name.value), given.name.to_string()));
+        }
+    }
+}
+
+/// The coordinate that a text is.
+fn coordinate<'n>(names: &NotesNames<'n>, text: &str) -> Option<&'n Declaration> {
+    let found = names.coordinates().find(|(one, _): &(&Declaration, Name)| name_search::same(&one.name.value, text));
+    found.map(|(one, _)| one)
+}
+
+/// The limit that a formula states.
+fn limit(formula: &str) -> Option<String> {
+    let (name, end) =
+        ["\\to", "\\rightarrow", "\\longrightarrow"].iter().find_map(|arrow| formula.split_once(arrow))?;
+    let (name, end) = (name.trim(), end.trim());
+    let is_end = end == "0" || end.trim_start_matches(['+', '-', ' ']) == "\\infty";
+    (is_end && names::parse(name).is_some()).then(|| format!("{name} \\to {end}"))
+}
+
+/// Adds the conditions of a claim to another one, which keeps its own.
+pub(super) fn join(known: &mut Claim, new: &Claim) {
+    let add = |known: &mut Vec<Spanned<String>>, new: &[Spanned<String>]| {
+        let is_new = |one: &&Spanned<String>| !known.iter().any(|other| other.value == one.value);
+        let fresh: Vec<Spanned<String>> = new.iter().filter(is_new).cloned().collect();
+        known.extend(fresh);
+    };
+    add(&mut known.assume, &new.assume);
+    add(&mut known.throughout, &new.throughout);
+    known.limit = known.limit.take().or_else(|| new.limit.clone());
+}
