@@ -87,7 +87,7 @@ pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document
     let all = infer(claims, notes);
     let is_conserved = |one: &ProseClaim| one.claims.iter().any(|(_, claim)| claim.conserved.is_some());
     let conserved: Vec<ProseClaim> = all.iter().filter(|one| is_conserved(one)).cloned().collect();
-    let (mut said, brief) = standing(&quiet, (claims, notes), all, true);
+    let (mut said, brief) = standing(&quiet, (claims, notes), all);
     let dropped = conserved.into_iter().filter(|one| !said.iter().any(|kept| kept.displays == one.displays));
     let dropped: Vec<ProseClaim> = dropped.collect();
     let with = added(claims, notes, &said);
@@ -106,12 +106,11 @@ pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document
 }
 
 /// The claims that stand together, and the document with them, without explanations; none where there is no claim. Their displays
-/// pass, or edits make them pass, which are sought last, since they cost most: edits of other displays only if that `is_thorough`.
+/// pass, or edits make them pass, which are sought last, since they cost most.
 fn standing(
     run: &Run<'_>,
     (claims, notes): (&Claims, &Notes),
     mut said: Vec<ProseClaim>,
-    is_thorough: bool,
 ) -> (Vec<ProseClaim>, Option<Document>) {
     let brief = Run { options: Options { explain: false, ..run.options }, ..*run };
     loop {
@@ -127,13 +126,13 @@ fn standing(
         let all = OnceCell::new();
         let stands_with_all = |claim: &ProseClaim| {
             let all: &Option<Document> = all.get_or_init(|| check_in(run, &with, notes).ok());
-            is_thorough && all.as_ref().is_some_and(|all| claim.stands(all, notes))
+            all.as_ref().is_some_and(|all| claim.stands(all, notes))
         };
-        let falls = kept.iter().position(|claim| claim.is_doubtful && !stands(claim) && !stands_with_all(claim));
-        said = kept;
-        match falls {
-            Some(falls) => drop(said.remove(falls)),
-            None => return (said, document),
+        let falls = |claim: &ProseClaim| claim.is_doubtful && !stands(claim) && !stands_with_all(claim);
+        let before = kept.len();
+        said = kept.iter().filter(|claim| !falls(claim)).cloned().collect();
+        if said.len() == before {
+            return (said, document);
         }
     }
 }
@@ -180,7 +179,7 @@ fn special_cases(
         doubtful.retain(|claim| open.contains(&claim.displays[0]));
     }
     let with = added(claims, notes, &special);
-    special.extend(standing(run, (&with, notes), doubtful, false).0);
+    special.extend(mendable(run, (&with, notes), doubtful));
     special
 }
 
@@ -214,6 +213,21 @@ fn tested(
         said = kept;
     }
     (Vec::new(), refuted)
+}
+
+/// The claims that are refuted, and whose own displays an edit makes pass.
+fn mendable(run: &Run<'_>, (claims, notes): (&Claims, &Notes), mut said: Vec<ProseClaim>) -> Vec<ProseClaim> {
+    let found = with_checker(run, &added(claims, notes, &said), notes, |checker| {
+        let has_edit = |at: &usize| {
+            let equation = checker.equation(*at, checker.assigned[*at]);
+            let repaired = equation.and_then(|equation| checker.with_repairs(run, *at, equation, false));
+            repaired.is_ok_and(|equation| !equation.repairs.is_empty())
+        };
+        Ok(said.iter().map(|claim| claim.displays.iter().all(has_edit)).collect::<Vec<bool>>())
+    });
+    let mut found = found.unwrap_or_default().into_iter();
+    said.retain(|_| found.next() == Some(true));
+    said
 }
 
 /// The claims that stand together, and the document with them. Where the document cannot be checked with them, there are none.
