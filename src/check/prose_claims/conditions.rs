@@ -66,11 +66,11 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
             Scope::Section => 0,
         };
         for words in &sentences[skipped..] {
-            case.add(names, at, (words, &words.formulas));
+            case.add(names, (words, &words.formulas));
             case.turns(names, display, words);
         }
         if let Some(words) = sentences.last() {
-            case.add(names, at, (words, &inside(&names.notes.equations[display].text)));
+            case.add(names, (words, &inside(&names.notes.equations[display].text)));
         }
     }
     // Who says that a name has a value writes the value in its place. A condition on a name that is printed would hide slips.
@@ -140,7 +140,7 @@ fn inside(display: &str) -> Vec<String> {
 
 impl Case {
     /// Adds what formulas among words say.
-    fn add(&mut self, names: &NotesNames<'_>, at: usize, (words, formulas): (&Sentence, &[String])) {
+    fn add(&mut self, names: &NotesNames<'_>, (words, formulas): (&Sentence, &[String])) {
         let begins = words.says(&RELEASED) || words.says(&FIRST) || words.says_phrase(&["let go"]);
         let rests = words.has_word(&REST);
         let mut is_start = false;
@@ -160,9 +160,9 @@ impl Case {
                 if member.contains("\\ddot") || FORMULAS.iter().any(|sign| value.contains(sign)) {
                     continue;
                 }
-                is_start |= begins && self.starts(names, at, member, value);
+                is_start |= begins && self.starts(names, member, value);
                 if !begins {
-                    self.has_value(names, at, member, value);
+                    self.has_value(names, member, value);
                 }
             }
         }
@@ -177,9 +177,9 @@ impl Case {
     }
 
     /// Adds that a motion begins where a coordinate has a value. Of constants it says what any condition does.
-    fn starts(&mut self, names: &NotesNames<'_>, at: usize, member: &str, value: &str) -> bool {
+    fn starts(&mut self, names: &NotesNames<'_>, member: &str, value: &str) -> bool {
         let Some(declared) = coordinate(names, member) else {
-            self.has_value(names, at, member, value);
+            self.has_value(names, member, value);
             return false;
         };
         let start = format!("{}(0) = {value}", declared.name.value);
@@ -194,7 +194,7 @@ impl Case {
     }
 
     /// Adds that something has a value.
-    fn has_value(&mut self, names: &NotesNames<'_>, at: usize, member: &str, value: &str) {
+    fn has_value(&mut self, names: &NotesNames<'_>, member: &str, value: &str) {
         let rate = |one: &Declaration| {
             let name = &one.name.value;
             [format!("\\dot{name}"), format!("\\dot {name}"), format!("\\dot{{{name}}}")]
@@ -203,8 +203,8 @@ impl Case {
         };
         let moving = coordinate(names, member).is_some() || names.coordinates().any(|(one, _)| rate(one));
         if moving {
-            let is_given = || (0..=at).any(|display| names.is_given_in(display, value));
-            if names::parse(value).is_some() && !names.is_declared(value) && !is_given() {
+            // A display that gives it a formula defines it.
+            if names::parse(value).is_some() && !names.is_declared(value) && !names.is_defined(value) {
                 self.constants.push((value.to_owned(), Range::Any));
             }
             self.throughout.retain(|(of, _)| of != member);
