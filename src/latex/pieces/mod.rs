@@ -360,7 +360,7 @@ fn join_lists(pieces: &mut Vec<Piece<'_>>) {
 fn drop_captions(pieces: &mut Vec<Piece<'_>>) {
     let is_caption = |piece: &Piece<'_>| {
         let [Link { relation: None, items }] = piece.links.as_slice() else { return false };
-        let mut significant = items.iter().filter(|item| is_significant(item));
+        let mut significant = items.iter().filter(is_significant);
         let is_text = matches!(significant.next().map(|item| &item.layout), Some(Layout::Text(_)));
         is_text && significant.next_back().is_some_and(|item| item.layout == Layout::Other(':'))
     };
