@@ -83,6 +83,10 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
     let is_printed = |name: &str| names.has_name(printed, without_dots(name));
     case.throughout.retain(|(of, _)| !is_printed(of));
     case.assume.retain(|said| said.split_once('=').is_none_or(|(of, _)| of.contains("(0)") || !is_printed(of.trim())));
+    // The same of a limit, but for a relation that says itself that it is near.
+    let is_near = ["\\approx", "\\simeq", "\\sim"].iter().any(|sign| printed.contains(sign));
+    case.limit =
+        case.limit.filter(|limit| is_near || !is_printed(limit.split("\\to").next().unwrap_or_default().trim()));
     let mut claim = Claim {
         assume: case.assume.into_iter().map(spanned).collect(),
         limit: case.limit.map(spanned),
