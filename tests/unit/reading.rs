@@ -32,7 +32,28 @@ mod structure;
 
 use onshell::formula::symbols::Components;
 use onshell::formula::{Kind, SymbolId, Symbols, text};
-use onshell::latex::{Macros, names, read_formula, typeset};
+use onshell::latex::{Macros, names, read_display, read_formula, typeset};
+
+/// The statements of a display in plain words, as `onshell read` shows them; `None` if a statement is refused.
+fn statements_of(latex: &str) -> Option<String> {
+    let mut symbols = Symbols::for_reading();
+    let reading = read_display(latex, &mut symbols, &Macros::default());
+    let statements: Result<Vec<_>, _> = reading.statements.iter().cloned().collect();
+    let words: Vec<String> = statements.ok()?.iter().map(|found| text::statement(found, &symbols)).collect();
+    Some(words.join(" ¦ "))
+}
+
+fn are_read(cases: &[(&str, &str)]) {
+    for (latex, words) in cases {
+        assert_eq!(statements_of(latex).as_deref(), Some(*words), "{latex}");
+    }
+}
+
+fn are_refused(cases: &[&str]) {
+    for latex in cases {
+        assert_eq!(statements_of(latex), None, "{latex}");
+    }
+}
 
 /// Particles i, j of n; axes a, b, c, d; a body with its mass per volume, per area and per length.
 fn particles() -> Symbols {

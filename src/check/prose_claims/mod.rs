@@ -179,7 +179,7 @@ fn special_cases(
         doubtful.retain(|claim| open.contains(&claim.displays[0]));
     }
     let with = added(claims, notes, &special);
-    special.extend(mendable(run, (&with, notes), doubtful));
+    special.extend(correctable(run, (&with, notes), doubtful));
     special
 }
 
@@ -216,7 +216,7 @@ fn tested(
 }
 
 /// The claims that are refuted, and whose own displays an edit makes pass.
-fn mendable(run: &Run<'_>, (claims, notes): (&Claims, &Notes), mut said: Vec<ProseClaim>) -> Vec<ProseClaim> {
+fn correctable(run: &Run<'_>, (claims, notes): (&Claims, &Notes), mut said: Vec<ProseClaim>) -> Vec<ProseClaim> {
     let found = with_checker(run, &added(claims, notes, &said), notes, |checker| {
         let has_edit = |at: &usize| {
             let equation = checker.equation(*at, checker.assigned[*at]);

@@ -35,23 +35,13 @@ impl Sentence {
 
     /// All that stands between the `at`-th display and the one before it.
     pub fn paragraph(notes: &Notes, at: usize) -> Self {
-        let end = notes.equations[at].span.start;
-        let before = notes.equations.iter().map(|other| other.span.end).filter(|before| *before <= end).max();
-        let mut from = before.unwrap_or(0).max(end.saturating_sub(LONGEST_PARAGRAPH));
-        while !notes.source.text.is_char_boundary(from) {
-            from += 1;
-        }
+        let (from, end) = since_last_display(notes, at);
         Sentence::between(notes, from, end)
     }
 
     /// The sentences between the `at`-th display and the one before it, in order.
     pub fn all_before(notes: &Notes, at: usize) -> Vec<Self> {
-        let end = notes.equations[at].span.start;
-        let before = notes.equations.iter().map(|other| other.span.end).filter(|before| *before <= end).max();
-        let mut from = before.unwrap_or(0).max(end.saturating_sub(LONGEST_PARAGRAPH));
-        while !notes.source.text.is_char_boundary(from) {
-            from += 1;
-        }
+        let (from, end) = since_last_display(notes, at);
         let text = &notes.source.text;
         let is_inside = |at: usize| notes.inline.iter().any(|span| span.start <= at && at < span.end);
         let is_end = |at: usize, mark: char| {
@@ -118,4 +108,15 @@ impl Sentence {
     pub fn denies(&self) -> bool {
         self.has_word(&["not", "no", "never", "would", "cannot", "unless", "nicht", "kein", "pas", "non"])
     }
+}
+
+/// The bytes between the `at`-th display and the one before it, or the last of these.
+fn since_last_display(notes: &Notes, at: usize) -> (usize, usize) {
+    let end = notes.equations[at].span.start;
+    let before = notes.equations.iter().map(|other| other.span.end).filter(|before| *before <= end).max();
+    let mut from = before.unwrap_or(0).max(end.saturating_sub(LONGEST_PARAGRAPH));
+    while !notes.source.text.is_char_boundary(from) {
+        from += 1;
+    }
+    (from, end)
 }

@@ -1,31 +1,8 @@
 //! What displays of public notes were once read wrongly or refused without need. Beside each stands what differs little and
 //! is read in another way, or is refused.
 
-use onshell::formula::symbols::Name;
-use onshell::latex::read_display;
-
 use super::*;
-
-/// The statements in plain words, as `onshell read` shows them; `None` if a statement is refused.
-fn read(latex: &str) -> Option<String> {
-    let mut symbols = Symbols::for_reading();
-    let reading = read_display(latex, &mut symbols, &Macros::default());
-    let statements: Result<Vec<_>, _> = reading.statements.iter().cloned().collect();
-    let words: Vec<String> = statements.ok()?.iter().map(|found| text::statement(found, &symbols)).collect();
-    Some(words.join(" ¦ "))
-}
-
-fn are_read(cases: &[(&str, &str)]) {
-    for (latex, words) in cases {
-        assert_eq!(read(latex).as_deref(), Some(*words), "{latex}");
-    }
-}
-
-fn are_refused(cases: &[&str]) {
-    for latex in cases {
-        assert_eq!(read(latex), None, "{latex}");
-    }
-}
+use onshell::formula::symbols::Name;
 
 #[test]
 fn a_wide_space_separates_whatever_its_name() {

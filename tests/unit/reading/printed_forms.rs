@@ -1,30 +1,7 @@
 //! Forms that authors print: boxes, labels, asides, rows, lists that go on, arrows, applications. Beside each stands a form that
 //! differs little, and is read otherwise or refused.
 
-use onshell::latex::read_display;
-
 use super::*;
-
-/// The statements in plain words; `None` if a statement is refused.
-fn read(latex: &str) -> Option<String> {
-    let mut symbols = Symbols::for_reading();
-    let reading = read_display(latex, &mut symbols, &Macros::default());
-    let statements: Result<Vec<_>, _> = reading.statements.iter().cloned().collect();
-    let words: Vec<String> = statements.ok()?.iter().map(|found| text::statement(found, &symbols)).collect();
-    Some(words.join(" ¦ "))
-}
-
-fn are_read(cases: &[(&str, &str)]) {
-    for (latex, words) in cases {
-        assert_eq!(read(latex).as_deref(), Some(*words), "{latex}");
-    }
-}
-
-fn are_refused(cases: &[&str]) {
-    for latex in cases {
-        assert_eq!(read(latex), None, "{latex}");
-    }
-}
 
 #[test]
 fn a_box_of_text_around_a_formula_changes_nothing() {
@@ -38,7 +15,7 @@ fn a_box_of_text_around_a_formula_changes_nothing() {
     ]);
     // must-fail cases: a box of words, and a formula among words.
     are_refused(&[r"a = \colorbox{red}{b} c"]);
-    assert_ne!(read(r"a\text{-b}"), read("a - b"));
+    assert_ne!(statements_of(r"a\text{-b}"), statements_of("a - b"));
 }
 
 #[test]
@@ -59,7 +36,7 @@ fn a_word_before_a_row_names_it() {
         r"\text{Not:}\quad a = b",
         r"\text{if}\quad a = b",
     ] {
-        assert_ne!(read(supposed).as_deref(), Some("a = b"), "{supposed}");
+        assert_ne!(statements_of(supposed).as_deref(), Some("a = b"), "{supposed}");
     }
     are_refused(&[r"a = 0 \Rightarrow \Gamma \text{ is unique}"]);
 }
@@ -73,7 +50,7 @@ fn a_parenthesis_may_hold_a_further_statement() {
         (r"V(x) \to \infty \text{ whenever } x \to \infty", "V(x) → ∞ whenever x→∞"),
         (r"a = \mathrm{const}. = b", "a = b is constant"),
     ]);
-    assert_ne!(read("a = b. c = f").as_deref(), Some("a = b = f"));
+    assert_ne!(statements_of("a = b. c = f").as_deref(), Some("a = b = f"));
 }
 
 #[test]
@@ -146,8 +123,8 @@ fn letters_that_are_coefficients_units_or_indices() {
     ]);
     are_refused(&[r"a = \sqrt{d\alpha}\,b", r"W^\alpha = V^\alpha"]);
     // One letter after a number is a unit only beside a word that is one.
-    assert_eq!(read(r"a = 3\ J").as_deref(), Some("a = 3·J"));
-    assert_eq!(read(r"dE = T\,dS + d\,t").as_deref(), Some("dE = T·dS + dt"));
+    assert_eq!(statements_of(r"a = 3\ J").as_deref(), Some("a = 3·J"));
+    assert_eq!(statements_of(r"dE = T\,dS + d\,t").as_deref(), Some("dE = T·dS + dt"));
 }
 
 #[test]
@@ -156,7 +133,10 @@ fn the_sign_in_the_name_of_a_state_is_that_of_its_statement() {
         r"|\psi^{(\pm)}\rangle = \frac{1}{E \pm i\epsilon} V |\phi\rangle",
         "|ψ^{(+)}⟩ = (1/(E + i·ϵ))·V·|φ⟩ ¦ |ψ^{(-)}⟩ = (1/(E − i·ϵ))·V·|φ⟩",
     )]);
-    assert_ne!(read(r"|\psi^{(\pm)}\rangle = |\phi\rangle"), read(r"|\psi^{(\mp)}\rangle = |\phi\rangle"));
+    assert_ne!(
+        statements_of(r"|\psi^{(\pm)}\rangle = |\phi\rangle"),
+        statements_of(r"|\psi^{(\mp)}\rangle = |\phi\rangle")
+    );
 }
 
 #[test]
