@@ -71,7 +71,8 @@ pub(super) fn blame(checker: &Checker<'_>, first: usize, found: &mut [Equation])
 }
 
 /// The statements of a display that say something about dimensions. A plain number with digits after the point may have a
-/// unit that is not printed, and so may a number that is a whole side.
+/// unit that is not printed, and so may a number that is a whole side. Authors write `pV^\gamma = \text{const}` and mean V in some
+/// unit, so a power with another exponent than a number says nothing.
 fn statements<'c>(checker: &'c Checker<'_>, at: usize) -> Option<Vec<&'c Statement>> {
     let read: Option<Vec<&Statement>> = checker.readings[at].statements.iter().map(|read| read.as_ref().ok()).collect();
     let is_value = |member: &Expr| matches!(&member.node, Node::Number(_)) && !member.is_zero();
@@ -80,9 +81,18 @@ fn statements<'c>(checker: &'c Checker<'_>, at: usize) -> Option<Vec<&'c Stateme
         member.walk(&mut |part| found |= matches!(&part.node, Node::Number(digits) if digits.contains('.')));
         found
     };
+    let has_open_power = |member: &Expr| {
+        let mut found = false;
+        member.walk(&mut |part| {
+            if let Node::Power(base, exponent) = &part.node {
+                found |= !base.symbols().is_empty() && !exponent.symbols().is_empty();
+            }
+        });
+        found
+    };
     read.filter(|read| {
         let mut members = read.iter().flat_map(|statement| &statement.members);
-        !read.is_empty() && !members.any(|member| is_value(member) || has_decimals(member))
+        !read.is_empty() && !members.any(|member| is_value(member) || has_decimals(member) || has_open_power(member))
     })
 }
 

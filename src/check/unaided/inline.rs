@@ -34,7 +34,7 @@ pub(super) fn with_definitions(notes: &Notes, displays: Vec<Display>, macros: &M
         let authors = found[..at].iter().filter(|display| !is_inline(notes, display)).count();
         let is_sum = || is_sum(&display, &usages, macros) && !follows_condition(notes, *span);
         let name = name(&display, macros).filter(|name| !defined.contains(name));
-        let is_free = |usage: &Usage| usage.introduced.is_none() && usage.first + 1 >= authors;
+        let is_free = |usage: &Usage| (usage.introduced.is_none() || usage.only_a_power) && usage.first + 1 >= authors;
         let is_told = is_announced(notes, *span) || is_named(notes, *span);
         let defines = |name: &String| {
             (is_told || is_sum()) && usages.iter().find(|usage| usage.name.to_string() == *name).is_some_and(is_free)
@@ -122,7 +122,9 @@ fn name(display: &Display, macros: &Macros) -> Option<String> {
     let (left, names) = (side(left), side(right));
     let [only] = left.as_slice() else { return None };
     let is_known = |usage: &Usage| ["\\pi", "t", "d"].contains(&usage.name.to_string().as_str());
-    let is_more = names.len() > 1 || right.contains(['^', '/', '+', '-']) || right.contains("\\frac");
+    let is_more = names.len() > 1
+        || right.contains(['^', '/', '+', '-'])
+        || ["\\frac", "\\dot"].iter().any(|mark| right.contains(mark));
     let stands_alone = !only.moves && !is_known(only) && only.arguments.is_none();
     let is_other = !names.is_empty() && names.iter().all(|usage| usage.name != only.name);
     // Decimals are those of a measurement.

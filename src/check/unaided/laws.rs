@@ -10,7 +10,7 @@ use std::sync::Arc;
 use crate::Result;
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
 use crate::notes::Claims;
-use crate::source::Source;
+use crate::source::{Fault, Source};
 
 use crate::check::document::checker::Checker;
 use crate::check::hypotheses::motion::motion;
@@ -18,6 +18,7 @@ use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, is_equality};
 use crate::check::model::free_symbols;
 use crate::check::model::meaning::Meaning;
+use crate::check::unaided::scope::Scope;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
 
@@ -25,14 +26,18 @@ use crate::check::verdict::report::Equation;
 pub(super) struct Laws {
     /// The names, each with the address of the statement that prints the law.
     addresses: Vec<(String, String)>,
-    /// The places of their displays.
-    places: Vec<usize>,
+    /// The places of their displays, each with that of the solution.
+    places: Vec<(usize, usize)>,
 }
 
 impl Laws {
-    /// Whether a display comes after a law, and is none.
-    pub fn may_give(&self, at: usize) -> bool {
-        self.places.first().is_some_and(|first| *first < at) && !self.places.contains(&at)
+    /// Whether a display comes after a law, and is none. A section without the law and its solution may be about another motion.
+    pub fn may_give(&self, at: usize, scope: &Scope) -> bool {
+        let is_about_it = |(law, solution): &(usize, usize)| {
+            let section = scope.section_of(at);
+            *law < at && [scope.section_of(*law), scope.section_of(*solution)].contains(&section)
+        };
+        self.places.iter().any(is_about_it) && !self.places.iter().any(|(law, _)| *law == at)
     }
 
     /// The claims with these laws; `None`, if there are none.
@@ -56,7 +61,7 @@ impl Laws {
 /// The laws of notes with these findings: for each symbol with a printed solution the first equation that gives its highest
 /// derivative, if it is before the solution, is not wrong, and nothing else moves in it.
 pub(super) fn laws(checker: &Checker<'_>, equations: &[Equation]) -> Laws {
-    let mut found: Vec<(SymbolId, usize, String)> = Vec::new();
+    let mut found: Vec<(SymbolId, (usize, usize), String)> = Vec::new();
     for (at, reading) in checker.readings.iter().enumerate() {
         let Some(id) = checker.notes.equations[at].id() else { continue };
         let is_right = |equation: &Equation| equation.id == id && equation.finding.verdict != Verdict::Refuted;
@@ -67,17 +72,17 @@ pub(super) fn laws(checker: &Checker<'_>, equations: &[Equation]) -> Laws {
             let Ok(statement) = statement else { continue };
             let Some(moving) = moved_by(checker, statement) else { continue };
             let is_new = !found.iter().any(|(known, ..)| *known == moving);
-            if is_new && solved_after(checker, moving, (at, place)) {
+            if let Some(solution) = is_new.then(|| solved_after(checker, moving, (at, place))).flatten() {
                 let address = match reading.statements.len() {
                     1 => id.to_owned(),
                     _ => format!("{id} part {}", place + 1),
                 };
-                found.push((moving, at, address));
+                found.push((moving, (at, solution), address));
             }
         }
     }
     let name = |moving: SymbolId| format!("the equation of motion of {}", text::plain(&checker.model.name(moving)));
-    let places = found.iter().map(|(_, at, _)| *at).collect();
+    let places = found.iter().map(|(_, places, _)| *places).collect();
     Laws { addresses: found.into_iter().map(|(moving, _, address)| (name(moving), address)).collect(), places }
 }
 
@@ -96,20 +101,22 @@ fn moved_by(checker: &Checker<'_>, statement: &Statement) -> Option<SymbolId> {
     motion(checker.model, &Hypothesis::of(link, true)).filter(|rule| rule.symbol == *only).map(|_| *only)
 }
 
-/// Whether a statement after this place gives a symbol as a function of the time and constants.
-fn solved_after(checker: &Checker<'_>, moving: SymbolId, place: (usize, usize)) -> bool {
+/// The display of the first statement after this place that gives a symbol as a function of the time and constants.
+fn solved_after(checker: &Checker<'_>, moving: SymbolId, place: (usize, usize)) -> Option<usize> {
     let model = checker.model;
     let all = checker.readings.iter().enumerate();
     let mut statements = all.flat_map(|(at, reading)| {
         reading.statements.iter().enumerate().map(move |(statement, read)| ((at, statement), read))
     });
-    statements.any(|(at, read)| {
+    let is_solution = |((at, place_of_it), read): &((usize, usize), &Result<Statement, Fault>)| {
+        let at = (*at, *place_of_it);
         let Ok(statement) = read else { return false };
         let is_of_time = |formula: &Expr| model.contains_time(formula) && !moves(formula, model);
         at > place
             && statement.members.first().and_then(Expr::as_plain_symbol) == Some(moving)
             && statement.members.get(1).is_some_and(is_of_time)
-    })
+    };
+    statements.find(is_solution).map(|((at, _), _)| at)
 }
 
 fn moves(formula: &Expr, model: &Model) -> bool {

@@ -1,12 +1,13 @@
-//! The later equalities of chains, as displays of their own.
+//! The equalities of chains, as displays of their own.
 //!
 //! In `Q = \int p\,dV = nRT \ln(V_1/V_2)` the first equality may be a definition or a law, and then the chain as a whole does
-//! not follow. Its later equalities may still be wrong by themselves. Each is judged as a display of its own, at the end of the
+//! not follow. Its other equalities may still be wrong by themselves. Each is judged as a display of its own, at the end of the
 //! notes, with the premises and the words that the chain has.
 
 use crate::check::document::checker::Checker;
 use crate::check::model::claim::is_equality;
 use crate::check::unaided::course::taken::is_static;
+use crate::check::unaided::scope::Link;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
@@ -17,17 +18,17 @@ use crate::source::Span;
 /// The most equalities that are judged by themselves.
 const MOST: usize = 24;
 
-/// Notes with the later equalities of chains at their end.
+/// Notes with equalities of chains at their end.
 pub(super) struct Apart {
     /// The notes.
     pub notes: Notes,
-    /// The place of the chain of each equality, in the order of the equalities.
-    pub origins: Vec<usize>,
+    /// The equalities, in their order.
+    pub links: Vec<Link>,
 }
 
 /// The chains that are taken for granted, taken apart; `first` is the place of the first finding. `None`, if there is none.
 pub(super) fn apart(checker: &Checker<'_>, first: usize, found: &[Equation]) -> Option<Apart> {
-    let mut apart = Apart { notes: checker.notes.clone(), origins: Vec::new() };
+    let mut apart = Apart { notes: checker.notes.clone(), links: Vec::new() };
     apart.notes.equations.truncate(first + found.len());
     for (place, equation) in found.iter().enumerate() {
         let at = first + place;
@@ -39,20 +40,22 @@ pub(super) fn apart(checker: &Checker<'_>, first: usize, found: &[Equation]) -> 
             statement.members.len() > 2 && statement.relations.iter().all(|(relation, _)| is_equality(*relation))
         });
         for (statement, link) in
-            chains.flat_map(|statement| (1..statement.relations.len()).map(move |k| (statement, k)))
+            chains.flat_map(|statement| (0..statement.relations.len()).map(move |k| (statement, k)))
         {
-            // Where a chain ends with "= 0", the author asks when that is so.
+            // Where a chain ends with "= 0", the author asks when that is so. And its first equality may give a name a formula.
             let is_condition = statement.members[link + 1].is_null();
-            if apart.origins.len() < MOST
+            let is_definition = link == 0 && statement.members[0].as_plain_symbol().is_some();
+            if apart.links.len() < MOST
                 && !is_condition
+                && !is_definition
                 && let Some(display) = alone(&checker.notes.equations[at], statement, link)
             {
                 apart.notes.equations.push(display);
-                apart.origins.push(at);
+                apart.links.push(Link { chain: at, is_later: link > 0 });
             }
         }
     }
-    (!apart.origins.is_empty()).then_some(apart)
+    (!apart.links.is_empty()).then_some(apart)
 }
 
 /// Whether a chain as a whole was taken for granted, or left open since nothing gives a formula that is differentiated in it.
@@ -63,7 +66,10 @@ fn is_open(chain: &Equation) -> bool {
 
 /// One equality of a chain as a display.
 fn alone(display: &Display, statement: &Statement, link: usize) -> Option<Display> {
-    let start = statement.relations.get(link - 1)?.1.end;
+    let start = match link.checked_sub(1) {
+        Some(before) => statement.relations.get(before)?.1.end,
+        None => statement.members.first()?.span.start,
+    };
     let end = match statement.relations.get(link + 1) {
         Some((_, next)) => next.start,
         None => statement.members.last()?.span.end,
@@ -87,11 +93,16 @@ fn alone(display: &Display, statement: &Statement, link: usize) -> Option<Displa
     })
 }
 
-/// Gives each chain with a wrong equality the finding on it; the findings on the equalities come after those on the displays.
+/// Gives each chain what the findings on its equalities say; these come after those on the displays.
 pub(super) fn merged(found: &mut [Equation], first: usize, apart: &Apart, links: &[Equation]) {
-    for (origin, link) in apart.origins.iter().zip(links) {
-        let Some(chain) = origin.checked_sub(first).and_then(|place| found.get_mut(place)) else { continue };
-        if link.finding.verdict == Verdict::Refuted && is_open(chain) {
+    for (place, chain) in found.iter_mut().enumerate() {
+        let own = apart.links.iter().zip(links).filter(|(link, _)| link.chain == first + place);
+        let own: Vec<&Equation> = own.map(|(_, found)| found).collect();
+        if !is_open(chain) {
+            continue;
+        }
+        let is_wrong = |link: &&&Equation| link.finding.verdict == Verdict::Refuted;
+        if let Some(link) = own.iter().find(is_wrong) {
             *chain = Equation {
                 finding: link.finding.clone(),
                 repairs: link.repairs.clone(),
@@ -99,6 +110,18 @@ pub(super) fn merged(found: &mut [Equation], first: usize, apart: &Apart, links:
                 ok: false,
                 ..chain.clone()
             };
+        } else if chain.finding.verdict == Verdict::Assumed {
+            let holds = |link: &&&Equation| matches!(link.finding.verdict, Verdict::Certified | Verdict::Verified);
+            let message = match (own.iter().filter(holds).count(), own.len()) {
+                (0, _) => continue,
+                (holding, all) if holding < all => {
+                    "not each equality of this chain follows from the other displays; what does not is taken for granted, and was not checked"
+                }
+                _ => {
+                    "the first equality of this chain is taken for granted, and was not checked; what comes after it follows"
+                }
+            };
+            chain.finding.message = message.to_owned();
         }
     }
 }

@@ -15,6 +15,7 @@
 //! other folders of `check`.
 
 mod complex;
+mod consequences;
 mod contradictions;
 mod course;
 mod dimensions;
@@ -44,6 +45,7 @@ use crate::Result;
 use crate::check::document::setup::{Run, define_macros, with_checker};
 use crate::check::prose_claims;
 use crate::check::run::check_in;
+use crate::check::unaided::course::Judged;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::{Document, Equation};
 use crate::latex::{Macros, lines};
@@ -63,6 +65,14 @@ use guess::{inference, scopes};
 /// When no claims file makes sense of the notes.
 #[cfg(feature = "cli")]
 pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
+    let (mut equations, inferred) = by_scopes(run, notes)?;
+    consequences::excused(notes, &mut equations, &|edited| Ok(by_scopes(run, edited)?.0))?;
+    Ok(Document { claims: None, ..document(run, &with_ids(notes), (equations, Vec::new(), inferred)) })
+}
+
+/// The findings on the displays of notes, and the conclusions about symbols.
+#[cfg(feature = "cli")]
+fn by_scopes(run: &Run<'_>, notes: &Notes) -> Result<(Vec<Equation>, Vec<String>)> {
     let notes = with_ids(notes);
     let outline = scopes::Outline::of(&notes);
     let (mut equations, mut inferred) = (Vec::new(), Vec::new());
@@ -75,7 +85,7 @@ pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
         let new: Vec<String> = concluded.into_iter().filter(|known| !inferred.contains(known)).collect();
         inferred.extend(new);
     }
-    Ok(Document { claims: None, ..document(run, &notes, (equations, Vec::new(), inferred)) })
+    Ok((equations, inferred))
 }
 
 /// The system of the first part of notes without a claims file that defines a Lagrangian.
@@ -124,50 +134,52 @@ pub fn system_of(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Option
 /// # Errors
 /// For claims that do not fit the notes.
 pub(super) fn guessed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
-    weighed(run, claims, &with_ids(notes))
+    weighed(run, claims, notes)
 }
 
 /// The findings on the displays of a scope, and the conclusions about symbols. Where the notes solve an equation of motion, what
 /// does not follow by itself is judged once more with that equation as a law.
 fn judged(run: &Run<'_>, claims: &Claims, notes: &Notes, scope: &scope::Scope) -> Result<(Vec<Equation>, Vec<String>)> {
     let claims = &prose_claims::with_guesses(run, claims, notes);
-    let (found, laws, inferred) = with_checker(run, claims, notes, |checker| {
-        let mut found = course::judged(run, &checker, scope)?;
-        dimensions::blame(&checker, scope.carried, &mut found);
-        let laws = laws::laws(&checker, &found);
-        Ok((found, laws, checker.model.inferred.clone()))
+    let (judged, laws, inferred) = with_checker(run, claims, notes, |checker| {
+        let mut judged = course::judged(run, &checker, scope)?;
+        dimensions::blame(&checker, scope.carried, &mut judged.found);
+        let laws = laws::laws(&checker, &judged.found);
+        Ok((judged, laws, checker.model.inferred.clone()))
     })?;
     let lawful = laws.added_to(claims)?;
-    let found = match &lawful {
-        Some(lawful) => judged_with_laws(run, lawful, notes, (scope, &laws), found)?,
-        None => found,
+    let judged = match &lawful {
+        Some(lawful) => judged_with_laws(run, lawful, notes, (scope, &laws), judged)?,
+        None => judged,
     };
     let claims = lawful.as_ref().unwrap_or(claims);
-    let mut found = with_links(run, claims, notes, scope, found)?;
+    let mut found = with_links(run, claims, notes, scope, judged)?;
     with_checker(run, claims, notes, |checker| contradictions::weighed(&checker, scope.carried, &mut found))?;
     Ok((found, inferred))
 }
 
-/// The findings, where each chain that is taken for granted has a wrong equality called so.
+/// The findings, where the equalities of each chain that is taken for granted are judged one by one.
 fn with_links(
     run: &Run<'_>,
     claims: &Claims,
     notes: &Notes,
     scope: &scope::Scope,
-    mut found: Vec<Equation>,
+    judged: Judged,
 ) -> Result<Vec<Equation>> {
+    let Judged { mut found, premises } = judged;
     let chains = with_checker(run, claims, notes, |checker| Ok(links::apart(&checker, scope.carried, &found)))?;
     let Some(apart) = chains else { return Ok(found) };
     let known = |at: usize| match at.checked_sub(scope.carried) {
         Some(place) => found.get(place).cloned(),
         None => None,
     };
-    let longer = scope::Scope { sections: Vec::new(), origins: apart.origins.clone(), ..*scope };
-    let judged =
-        with_checker(run, claims, &apart.notes, |checker| course::judged_again(run, &checker, &longer, &known));
+    let longer = scope::Scope { sections: Vec::new(), links: apart.links.clone(), ..*scope };
+    let judged = with_checker(run, claims, &apart.notes, |checker| {
+        course::judged_again(run, &checker, &longer, (&known, &premises))
+    });
     // The equalities help where they can be read, and take nothing away.
     if let Ok(judged) = judged {
-        let links = judged.get(found.len()..).unwrap_or_default().to_vec();
+        let links = judged.found.get(found.len()..).unwrap_or_default().to_vec();
         links::merged(&mut found, scope.carried, &apart, &links);
     }
     Ok(found)
@@ -179,26 +191,31 @@ fn judged_with_laws(
     lawful: &Claims,
     notes: &Notes,
     (scope, laws): (&scope::Scope, &laws::Laws),
-    found: Vec<Equation>,
-) -> Result<Vec<Equation>> {
+    judged: Judged,
+) -> Result<Judged> {
     let known = |at: usize| {
-        let equation = found.get(at.checked_sub(scope.carried)?)?;
+        let equation = judged.found.get(at.checked_sub(scope.carried)?)?;
         let is_open = matches!(equation.finding.verdict, Verdict::Assumed | Verdict::Undecided);
-        (!is_open || !laws.may_give(at)).then(|| equation.clone())
+        (!is_open || !laws.may_give(at, scope)).then(|| equation.clone())
     };
-    let again = with_checker(run, lawful, notes, |checker| course::judged_again(run, &checker, scope, &known));
+    let again = with_checker(run, lawful, notes, |checker| {
+        course::judged_again(run, &checker, scope, (&known, &judged.premises))
+    });
     // The laws help where they can be read, and take nothing away.
-    Ok(again.ok().filter(|again| again.len() == found.len()).unwrap_or(found))
+    Ok(again.ok().filter(|again| again.found.len() == judged.found.len()).unwrap_or(judged))
 }
 
 /// Checks notes with claims that nobody has confirmed.
-fn weighed(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
+fn weighed(run: &Run<'_>, claims: &Claims, printed: &Notes) -> Result<Document> {
+    let notes = &with_ids(printed);
     let claimed = |equation: &Equation| -> Result<Option<Equation>> {
         let only = Run { only: Some(equation.id.as_str()), ..*run };
         Ok(check_in(&only, claims, notes)?.equations.into_iter().next())
     };
     let sentences = if claims.sentences.is_empty() { Vec::new() } else { check_in(run, claims, notes)?.sentences };
-    let (mut equations, _) = judged(run, claims, notes, &scope::Scope::whole())?;
+    let whole = |notes: &Notes| Ok(judged(run, claims, &with_ids(notes), &scope::Scope::whole())?.0);
+    let mut equations = whole(printed)?;
+    consequences::excused(printed, &mut equations, &whole)?;
     with_checker(run, claims, notes, |checker| {
         for (at, equation) in equations.iter_mut().enumerate() {
             if checker.assigned[at].is_some()

@@ -270,7 +270,7 @@ impl Course<'_, '_> {
         Ok(false)
     }
 
-    fn context<'s>(&'s self, hypotheses: &'s [Hypothesis]) -> Context<'s> {
+    pub(super) fn context<'s>(&'s self, hypotheses: &'s [Hypothesis]) -> Context<'s> {
         Context {
             model: self.checker.model,
             options: Options { points: STATES, ..self.quick.options },

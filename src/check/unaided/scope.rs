@@ -6,20 +6,34 @@ pub(super) struct Scope {
     pub carried: usize,
     /// The displays with which a section begins, in order; those that are carried over count.
     pub sections: Vec<usize>,
-    /// The chains of the displays at the end of the notes that are an equality of one each.
-    pub origins: Vec<usize>,
+    /// The equalities of chains that are displays at the end of the notes, in their order.
+    pub links: Vec<Link>,
+}
+
+/// An equality of a chain that is a display of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Link {
+    /// The place of the chain.
+    pub chain: usize,
+    /// Whether it comes after the first equality: then the author says that it follows.
+    pub is_later: bool,
 }
 
 impl Scope {
     /// All displays of notes as one scope.
     pub fn whole() -> Scope {
-        Scope { carried: 0, sections: Vec::new(), origins: Vec::new() }
+        Scope { carried: 0, sections: Vec::new(), links: Vec::new() }
     }
 
     /// The place at which a display of notes with this many counts: that of its chain, if it is an equality of one.
     pub fn origin_of(&self, at: usize, displays: usize) -> usize {
-        let first = displays - self.origins.len();
-        at.checked_sub(first).and_then(|place| self.origins.get(place)).copied().unwrap_or(at)
+        self.link(at, displays).map_or(at, |link| link.chain)
+    }
+
+    /// The equality of a chain that a display of notes with this many is, if it is one.
+    pub fn link(&self, at: usize, displays: usize) -> Option<Link> {
+        let first = displays - self.links.len();
+        at.checked_sub(first).and_then(|place| self.links.get(place)).copied()
     }
 
     /// The first display of the section in which the `at`-th display is.

@@ -46,6 +46,8 @@ pub(crate) struct Usage {
     pub introduced: Option<usize>,
     /// Whether it is the left side of a relation somewhere, alone or with its arguments.
     pub given: bool,
+    /// Whether each of these left sides is a power of it: `\omega^2 = …`.
+    pub only_a_power: bool,
     /// The names in parentheses directly after it.
     pub arguments: Option<Vec<Name>>,
 }
@@ -285,6 +287,7 @@ fn note_left(items: &[Item], at: usize, found: &mut Vec<Usage>) {
     if after.is_some_and(is_relation) {
         let usage = entry(found, &printed.name, at);
         usage.introduced = usage.introduced.or(Some(at)).filter(|_| usage.first == at || usage.introduced.is_some());
+        usage.only_a_power = printed.sup.is_some() && (usage.only_a_power || !usage.given);
         usage.given = true;
     }
 }
@@ -309,6 +312,7 @@ fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'f mut Usage
             first: at,
             introduced: None,
             given: false,
+            only_a_power: false,
             arguments: None,
         });
         found.len() - 1

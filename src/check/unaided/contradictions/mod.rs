@@ -2,13 +2,14 @@
 //!
 //! Where a display does not follow from a definition, the slip may be in either ([`Culprit`]). The other displays that use the
 //! name decide. Where none does, one of the two is wrong and nobody can tell which: the report says so, shows an edit of each,
-//! and calls neither wrong. The same is asked of relations that are taken for granted ([`premises`]).
+//! and calls neither wrong, unless the words say that one of them follows. The same is asked of relations that are taken for granted ([`premises`]).
 
 pub(super) mod premises;
 
 use crate::Result;
 use crate::check::document::checker::Checker;
 use crate::check::repair::culprit::is_common;
+use crate::check::unaided::prose::{self, Announced};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::repair::Repair;
@@ -46,6 +47,8 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
             {
                 *equation = consistent(equation, &name);
             }
+        } else if is_said_to_follow(checker, first + place, culprit.at) {
+            found[place] = unfollowing(&found[place], &name, culprit.repair);
         } else {
             found[defined] = contradicted(&found[defined], &id);
             found[place] = open(&found[place], &name, culprit.repair);
@@ -63,8 +66,22 @@ fn refuted(equation: &Equation, repair: &Repair, message: String) -> Equation {
 }
 
 /// A display that follows once another one is corrected.
-fn consistent(equation: &Equation, other: &str) -> Equation {
+pub(super) fn consistent(equation: &Equation, other: &str) -> Equation {
     undecided(equation, format!("this follows once ({other}) is corrected"))
+}
+
+/// Whether the words say that a display follows, and do not say it of the earlier one that it contradicts.
+fn is_said_to_follow(checker: &Checker<'_>, at: usize, earlier: usize) -> bool {
+    let says = |at: usize| prose::before(checker.notes, at).announced == Announced::Consequence;
+    earlier < at && says(at) && !says(earlier)
+}
+
+/// A display that is said to follow and contradicts what it is said to follow from; `repair` is an edit of the other.
+fn unfollowing(equation: &Equation, other: &str, repair: Repair) -> Equation {
+    let message = format!("this contradicts ({other}), from which it is said to follow");
+    let finding = Finding { code: Code::Contradiction, message, ..equation.finding.clone() };
+    let repairs = equation.repairs.iter().take(1).cloned().chain([repair]).collect();
+    Equation { finding, parts: Vec::new(), repairs, ok: false, ..equation.clone() }
 }
 
 /// A display that another one contradicts, where nobody can tell which of the two is wrong.

@@ -4,6 +4,7 @@
 //! slip is sought, first without premises and then with those that it could follow from. What is no slip is taken for
 //! granted, and is a premise of what comes later. What is wrong is no premise.
 
+mod factor;
 mod roots;
 mod slips;
 pub(super) mod taken;
@@ -41,15 +42,23 @@ const FEWEST_RESTATED: usize = 4;
 /// The number of displays that are first judged by themselves at once.
 const AT_ONCE: usize = 16;
 
-/// The findings on the displays of a scope, in their order, up to the section in which a letter has another meaning.
+/// What is known of the displays of a scope.
+pub(super) struct Judged {
+    /// The findings, in the order of the displays, up to the section in which a letter has another meaning.
+    pub found: Vec<Equation>,
+    /// What was taken for granted, and what follows.
+    pub premises: Vec<Premise>,
+}
+
+/// The findings on the displays of a scope.
 ///
 /// # Errors
 /// When a claim does not fit the notes.
-pub(super) fn judged(run: &Run<'_>, checker: &Checker<'_>, scope: &Scope) -> Result<Vec<Equation>> {
-    judged_again(run, checker, scope, &|_| None)
+pub(super) fn judged(run: &Run<'_>, checker: &Checker<'_>, scope: &Scope) -> Result<Judged> {
+    judged_again(run, checker, scope, (&|_| None, &[]))
 }
 
-/// The same, where some displays were judged before: their findings are `known`, by their places.
+/// The same, where some displays were judged before: their findings are `known`, by their places, and so are the premises.
 ///
 /// # Errors
 /// When a claim does not fit the notes.
@@ -57,15 +66,15 @@ pub(super) fn judged_again(
     run: &Run<'_>,
     checker: &Checker<'_>,
     scope: &Scope,
-    known: &(dyn Fn(usize) -> Option<Equation> + Sync),
-) -> Result<Vec<Equation>> {
+    (known, premises): (&(dyn Fn(usize) -> Option<Equation> + Sync), &[Premise]),
+) -> Result<Judged> {
     let explained = &with_options(checker, true);
     let mut course = Course {
         run,
         scope,
         checker: explained,
         quick: with_options(checker, false),
-        known: Vec::new(),
+        known: premises.to_vec(),
         seen: HashMap::new(),
         at_first: VecDeque::new(),
         doubtful: Vec::new(),
@@ -94,7 +103,7 @@ pub(super) fn judged_again(
         found.push(equation);
     }
     contradictions::premises::weighed(&course, &mut found)?;
-    Ok(found)
+    Ok(Judged { found, premises: course.known })
 }
 
 fn with_options<'a>(checker: &Checker<'a>, explain: bool) -> Checker<'a> {
@@ -167,11 +176,10 @@ impl Course<'_, '_> {
         }
     }
 
-    /// The finding of before; what was taken for granted then is a premise now.
+    /// The finding of before; what was a premise then is one now.
     fn judged_before(&mut self, at: usize, equation: Equation) -> Equation {
         if equation.finding.verdict == Verdict::Assumed {
             self.note_doubt(at);
-            self.take_for_granted(at);
         }
         equation
     }
@@ -194,8 +202,8 @@ impl Course<'_, '_> {
         let claim = self.checker.assigned[at].unwrap_or(&none);
         let found = self.by_itself(at)?;
         // Numbers are wrong by themselves, whatever the letters mean, unless they are only supposed.
-        if found.finding.code == Code::NumbersDiffer {
-            let is_supposed = prose::before(self.checker.notes, at).announced == Announced::Assumption;
+        if let Some(found) = gate::wrong_numbers(&found) {
+            let is_supposed = prose::before(self.checker.notes, at).announced.is_supposed();
             return Ok(if is_supposed { gate::as_it_counts(found) } else { found });
         }
         if found.finding.verdict == Verdict::Refuted && self.lost_derivative(at) {
@@ -216,6 +224,13 @@ impl Course<'_, '_> {
         }
         let origin = self.scope.origin_of(at, self.checker.notes.equations.len());
         let mut words = prose::before(self.checker.notes, origin);
+        // What comes later in a chain is said to follow.
+        if self.scope.link(at, self.checker.notes.equations.len()).is_some_and(|link| link.is_later) {
+            words.connected = !words.announced.is_supposed();
+            if words.connected {
+                words.announced = Announced::Consequence;
+            }
+        }
         words.named.extend(self.formulas_before(origin));
         let mut before: Vec<Premise> = self.known.iter().filter(|premise| premise.at < origin).cloned().collect();
         before.extend(self.in_states(at, &before));
@@ -299,7 +314,7 @@ impl Course<'_, '_> {
         if let Some(id) = self.named_again(at) {
             self.doubtful.push(id);
             let words = prose::before(self.checker.notes, at);
-            self.other_case = self.other_case || words.other_case || words.announced == Announced::Assumption;
+            self.other_case = self.other_case || words.other_case || words.announced.is_supposed();
         }
         if self.known.iter().any(is_same) {
             self.doubtful.extend(self.checker.readings[at].introduced.iter().map(|new| new.symbol));

@@ -13,6 +13,7 @@ use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
 use crate::latex::DefinedSymbol;
+use crate::latex::slips::Slip;
 use crate::notes::claims::Claim;
 
 /// The relative difference of two numbers that are equal.
@@ -46,16 +47,25 @@ impl Course<'_, '_> {
             || checker.readings[at].introduced.iter().any(is_frequency);
         let solves = set.is_empty()
             && (is_claimed || solutions::is_printed(checker, at, claim) || words.connected && self.restates(at));
-        if !solves && !gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words)
-            || words.announced == Announced::Assumption
-                && !is_claimed
-                && !(words.only_nearness && self.approximates(at))
-            || words.other_case && !self.is_by_itself(at)
-        {
+        let is_another_case = words.other_case && !self.is_by_itself(at);
+        let is_supposed =
+            words.announced.is_supposed() && !is_claimed && !(words.only_nearness && self.approximates(at));
+        let is_tried = (solves || gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words))
+            && !is_another_case
+            && !(is_supposed && (words.announced == Announced::Assumption || basis != Basis::Definitions));
+        let is_general = !is_another_case && words.announced != Announced::Assumption;
+        let may_be_a_factor = set.is_empty() && (is_general || !self.uses_definitions(at));
+        if !is_tried && !may_be_a_factor {
             return Ok(None);
         }
         let quick = self.equation(&self.quick, at, claim)?;
         if quick.finding.verdict != Verdict::Refuted {
+            return Ok(None);
+        }
+        if may_be_a_factor && let Some(wrong) = self.off_by_a_factor(at, claim, &quick)? {
+            return Ok(Some(wrong));
+        }
+        if !is_tried {
             return Ok(None);
         }
         if !set.is_empty() && is_degenerate(&quick) {
@@ -67,6 +77,12 @@ impl Course<'_, '_> {
         let (model, before) = (checker.model, &self.seen);
         let around = gate::Around { model, before, origin, basis, words, solves: is_solution };
         repairs.retain(|repair| gate::is_likely(repair, display, &around));
+        // Under a condition a term may be missing, or have another sign, on purpose.
+        if is_supposed {
+            repairs.retain(|repair| {
+                matches!(repair.slip, Slip::Number | Slip::Exponent | Slip::Fraction | Slip::Function)
+            });
+        }
         // An inequality holds in a range that the notes need not print; only its direction can be seen to be wrong.
         if quick.finding.code == Code::InequalityFails {
             let turned = |repair: &Repair| INEQUALITIES.contains(&checker.source.slice(repair.span).trim());

@@ -17,6 +17,10 @@ impl Course<'_, '_> {
 
     /// Makes a display a premise of what comes later; it follows from the displays at some places, perhaps.
     pub(super) fn take_as_premise(&mut self, at: usize, from: &[usize]) {
+        // What was judged before is a premise already.
+        if self.known.iter().any(|premise| premise.at == at) {
+            return;
+        }
         // Numbers of an example say nothing about other displays.
         let mut members =
             self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);

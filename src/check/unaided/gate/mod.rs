@@ -76,6 +76,10 @@ fn may_be(statement: &Statement, model: &Model, basis: Basis, words: &Words) -> 
     {
         // Another formula for a name that has one is a law, a case or a new meaning; for a derived quantity it is a claim.
         let has_formula = model.meaning(id).is_some_and(|meaning| matches!(meaning, Meaning::Defined(_)));
+        // So is what its own formula contains by the definitions of others, as where two equations are solved.
+        if basis == Basis::Definitions && members[1..].iter().any(|side| names(side, model).contains(&id)) {
+            return true;
+        }
         // That it is nearly equal to another one is a claim.
         let is_near = statement.relations.iter().all(|(relation, _)| *relation == Relation::Approximately);
         if !is_near
@@ -185,6 +189,20 @@ pub(super) fn as_it_counts(mut equation: Equation) -> Equation {
     }
     equation.ok = true;
     equation
+}
+
+/// The equation with the finding that numbers in it are wrong, in all of it or in one of its parts, if they are.
+pub(super) fn wrong_numbers(equation: &Equation) -> Option<Equation> {
+    let is_wrong = |finding: &&Finding| finding.code == Code::NumbersDiffer && finding.verdict == Verdict::Refuted;
+    if is_wrong(&&equation.finding) {
+        return Some(equation.clone());
+    }
+    let finding = equation.parts.iter().map(|part| &part.finding).find(is_wrong)?.clone();
+    let mut found = as_it_counts(equation.clone());
+    for (part, printed) in found.parts.iter_mut().zip(&equation.parts).filter(|(_, part)| is_wrong(&&part.finding)) {
+        *part = printed.clone();
+    }
+    Some(Equation { finding, ok: false, ..found })
 }
 
 /// The equation, if it passes. What defines names beside an equality that passes takes nothing from it:
@@ -412,7 +430,16 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     let is_computed = |pair: &[Expr]| pair.iter().any(is_matrix) && pair.iter().any(|side| !is_matrix(side));
     let is_printed =
         |pair: &[Expr]| is_differentiated(pair) || is_integrated(pair) || is_expanded(pair) || is_computed(pair);
-    let says_something = |pair: &[Expr]| is_content(&pair[0], &pair[1], &symbols, model) || is_printed(pair);
+    // What several relations are said to give says something in fewer symbols too.
+    let is_concluded = |pair: &[Expr]| {
+        concludes
+            && basis == Basis::Premises
+            && words.announced == Announced::Consequence
+            && is_common(repair.slip)
+            && pair.iter().map(|side| occurrences(side, model)).sum::<usize>() >= FEWEST_SYMBOLS - 1
+    };
+    let says_something =
+        |pair: &[Expr]| is_content(&pair[0], &pair[1], &symbols, model) || is_printed(pair) || is_concluded(pair);
     // That a formula is constant is a claim about it, and the correction has its symbols.
     let is_constant = |statement: &&Statement| {
         matches!(statement.members.as_slice(), [only] if statement.constant.is_some()

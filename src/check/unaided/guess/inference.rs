@@ -12,7 +12,8 @@ use serde_json::{Map, Value, json};
 use crate::Result;
 use crate::formula::symbols::Name;
 use crate::formula::{Expr, Node};
-use crate::latex::{Macros, names};
+use crate::latex::layout::typeset_items;
+use crate::latex::{Macros, has_imaginary_unit, names};
 use crate::notes::{Claims, Notes, claims_beside};
 use crate::source::{Missing, Source, Span};
 
@@ -56,6 +57,9 @@ pub(crate) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
         if has_both_constants_of_planck(notes, &usages) {
             whole = whole.without("constants", &["\\hbar".to_owned()]);
             whole.define("\\hbar", "\\frac{h}{2\\pi}");
+        }
+        if means_root_of_minus_one(notes, &usages, &macros) {
+            whole.declare("constants", "i", "imaginary unit");
         }
         // A function of a name that a display defines cannot be declared. It must not take all other guesses with it.
         let functions = whole.names("functions");
@@ -144,6 +148,19 @@ fn has_both_constants_of_planck(notes: &Notes, usages: &[Usage]) -> bool {
     !usages.iter().any(is_given) && notes.equations.iter().any(|display| has_both(&display.text))
 }
 
+/// Whether i is √−1 in notes: it must be in one formula, and is no quantity or index in another.
+fn means_root_of_minus_one(notes: &Notes, usages: &[Usage], macros: &Macros) -> bool {
+    let is_i = |usage: &&Usage| usage.name == Name::plain("i");
+    let is_quantity = |usage: &Usage| usage.given || !is_reserved(usage);
+    let inline = notes.inline.iter().filter_map(|span| notes.source.text.get(span.range()));
+    let is_evident = |text: &str| {
+        let text = text.trim_matches('$');
+        text.contains('i') && typeset_items(text, macros).is_ok_and(|items| has_imaginary_unit(&items))
+    };
+    usages.iter().find(is_i).is_some_and(|usage| !is_quantity(usage))
+        && (notes.equations.iter().any(|display| is_evident(&display.text)) || inline.into_iter().any(is_evident))
+}
+
 /// Whether a hat marks a direction in notes, and no operator.
 fn hats_are_directions(notes: &Notes) -> bool {
     let operators = ["\\hbar", "\\ket", "\\bra", "\\comm", "[\\hat", "\\rangle", "\\hat H", "\\hat{H}"];
@@ -223,9 +240,9 @@ fn rolling(usages: &[Usage]) -> Option<Rolling> {
 }
 
 /// Whether a name is differentiated with d by another one, or another one by it, where no formula says how the one depends on the
-/// other: dM/dx is then the quotient of two rates.
+/// other, or one of its powers only, as in `\omega^2 = gk`: dM/dx is then the quotient of two rates.
 fn runs_along(usage: &Usage, usages: &[Usage]) -> bool {
-    let is_unknown = |usage: &&Usage| !usage.given && usage.arguments.is_none();
+    let is_unknown = |usage: &&Usage| (!usage.given || usage.only_a_power) && usage.arguments.is_none();
     let by_it = |other: &&Usage| other.differentiated_by.contains(&usage.name);
     is_unknown(&usage) && !usage.differentiated_by.is_empty()
         || usages.iter().filter(is_unknown).any(|other| by_it(&other))
@@ -260,9 +277,13 @@ impl Guess {
         let is_known = |usage: &Usage| match &rolling {
             Some(rolling) if rolling.depends == usage.name => true,
             Some(rolling) if rolling.coordinate == usage.name => false,
+            _ if usage.only_a_power && lagrangian.is_none() && runs_along(usage, usages) => false,
             _ => (defined(usage) || usage.given && is_function(usage)) && !is_of_time(usage),
         };
-        for usage in usages.iter().filter(|usage| !is_reserved(usage) && !is_known(usage)) {
+        // A transmission coefficient t, where nothing moves.
+        let is_timeless = !usages.iter().any(|usage| usage.moves || is_of_time(usage));
+        let is_coefficient = |usage: &Usage| is_timeless && usage.given && usage.name == Name::plain("t");
+        for usage in usages.iter().filter(|usage| is_coefficient(usage) || !is_reserved(usage) && !is_known(usage)) {
             let name = usage.name.to_string();
             let plain = Name { primes: 0, ..usage.name.clone() };
             // A prime on a function is its derivative.
@@ -458,7 +479,8 @@ impl Guess {
 /// Whether a name is known without a declaration, and is not used as a quantity of the notes either.
 fn is_reserved(usage: &Usage) -> bool {
     let is_quantity = match usage.name.base.as_str() {
-        "i" => usage.moves || usage.arguments.is_some(),
+        // A current, or the inclination of an orbit in sin i.
+        "i" => usage.moves || usage.arguments.is_some() || usage.angle,
         // An eccentricity, or the coefficient of restitution.
         "e" => !usage.exponential,
         "d" => usage.divides || !usage.precedes,

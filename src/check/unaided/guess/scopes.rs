@@ -171,7 +171,7 @@ pub(crate) fn from(run: &Run<'_>, notes: &Notes, first: usize, outline: &Outline
     let starts = outline.sections.iter().filter(|start| inside.contains(start)).map(offset).collect();
     let mut notes = notes.clone();
     notes.equations = equations;
-    (notes, Scope { carried: carried.len(), sections: starts, origins: Vec::new() })
+    (notes, Scope { carried: carried.len(), sections: starts, links: Vec::new() })
 }
 
 #[cfg(test)]

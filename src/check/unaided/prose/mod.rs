@@ -8,7 +8,7 @@ use crate::latex::lines::implication;
 use crate::notes::Notes;
 
 use crate::check::unaided::inline::is_inline;
-use crate::check::unaided::prose::words::{ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, SOLUTION};
+use crate::check::unaided::prose::words::{ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, SOLUTION, WEAK};
 
 /// The most bytes before a display that are taken for its words.
 const LONGEST: usize = 400;
@@ -26,8 +26,17 @@ pub(super) enum Announced {
     Consequence,
     /// An assumption, a choice, a special case.
     Assumption,
+    /// A condition or an approximation, "if" or "small". What it is about may hold in general.
+    Condition,
     /// Neither.
     Nothing,
+}
+
+impl Announced {
+    /// Whether the words suppose something.
+    pub fn is_supposed(self) -> bool {
+        matches!(self, Announced::Assumption | Announced::Condition)
+    }
 }
 
 /// The words before a display.
@@ -73,13 +82,14 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
             announced: before.announced,
             named,
             only_nearness: before.only_nearness,
-            connected: before.announced != Announced::Assumption,
+            connected: !before.announced.is_supposed(),
             other_case: before.other_case,
         };
     }
     // In English it is no word for what follows.
     let is_german_also = sentence.trim().trim_end_matches([',', ':']) == "also";
     let announced = match (says(ASSUMPTION), says(CONSEQUENCE) || is_german_also) {
+        (true, _) if says_only(WEAK, &sentence) => Announced::Condition,
         (true, _) => Announced::Assumption,
         (false, true) => Announced::Consequence,
         (false, false) => Announced::Nothing,
@@ -87,9 +97,14 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
     let connected = announced == Announced::Consequence || announced == Announced::Nothing && says(SOLUTION);
     let compares = ["\\ll", "\\gg", "\\to"].iter().any(|sign| sentence.contains(sign));
     let is_nearness = |word: &&str| NEARNESS.contains(word) || compares && CONDITION.contains(word);
-    let only_nearness = announced == Announced::Assumption
-        && ASSUMPTION.iter().filter(|word| has_word(&sentence, word)).all(is_nearness);
+    let only_nearness =
+        announced.is_supposed() && ASSUMPTION.iter().filter(|word| has_word(&sentence, word)).all(is_nearness);
     Words { announced, only_nearness, other_case: says(OTHER_CASE), named: cited(notes, at, all), connected }
+}
+
+/// Whether all words for what is supposed in a sentence are among some.
+fn says_only(words: &[&str], sentence: &str) -> bool {
+    ASSUMPTION.iter().filter(|word| has_word(sentence, word)).all(|word| words.contains(word))
 }
 
 /// The sentence before the `at`-th display, as it is printed.

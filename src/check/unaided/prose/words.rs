@@ -188,6 +188,41 @@ pub(super) const ASSUMPTION: &[&str] = &[
     "ordine ",
 ];
 
+/// Those of them that may stand in a sentence about what holds in general: "if a is the radius, …".
+pub(super) const WEAK: &[&str] = &[
+    "if ",
+    "when ",
+    "let ",
+    "consider",
+    "small",
+    "limit",
+    "initial",
+    "condition",
+    "require",
+    "neglect",
+    "approximat",
+    // other languages
+    "wenn",
+    "falls",
+    "sei ",
+    "betracht",
+    "klein",
+    "bedingung",
+    "vernachlässig",
+    "si ",
+    "lorsque",
+    "quand",
+    "considér",
+    "néglig",
+    "petit",
+    "cuando",
+    "quando",
+    "pequeñ",
+    "despreci",
+    "piccol",
+    "trascur",
+];
+
 /// Those of them that say when two formulas are nearly equal.
 pub(super) const NEARNESS: &[&str] = &[
     "approximat",

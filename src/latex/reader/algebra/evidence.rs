@@ -295,7 +295,7 @@ fn has_upright(items: &[Item], letter: char) -> bool {
 }
 
 /// Whether the letter i must be √−1 here.
-fn has_imaginary_unit(items: &[Item]) -> bool {
+pub fn has_imaginary_unit(items: &[Item]) -> bool {
     (is_evident(items) || (has_hbar(items) || has_states(items)) && mentions(items)) && !is_index(items)
 }
 

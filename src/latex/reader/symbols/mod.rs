@@ -34,7 +34,8 @@ impl Reader<'_> {
             if let (false, true, Some(sup), 0) = (declared, name.subscript.is_empty(), printed.sup, printed.dots)
                 && !is_power(sup)
             {
-                if name.base == "e" && is_figure(sup) {
+                // A symbol is hardly ever printed with a negative power.
+                if name.base == "e" && is_figure(sup) && !is_negative(sup) {
                     return Err(Fault::ambiguous(
                         span,
                         "e^2 may be the exponential exp(2) or the square of a symbol e",
@@ -371,6 +372,11 @@ fn is_figure(item: &Item) -> bool {
         Layout::Fraction(above, below) => is_figure(above) && is_figure(below),
         _ => false,
     }
+}
+
+/// Whether an exponent begins with a minus.
+fn is_negative(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Group(items) if matches!(items.first(), Some(Item { layout: Layout::Other('-'), .. })))
 }
 
 /// Whether an exponent is a decimal number that is no half.

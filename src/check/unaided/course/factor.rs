@@ -1,0 +1,102 @@
+//! A display of which one side is the other one but for a number.
+//!
+//! No law and no special case says `2x = 3x`. So where the sides, with what the notes define put in, have the same ratio in all
+//! states, the display is wrong, whether an edit of it is found or not. A name beside a formula is left out, since that may be another
+//! definition of it.
+
+use crate::Result;
+use crate::check::model::claim::is_equality;
+use crate::check::model::meaning::Meaning;
+use crate::check::repair::suggest::Search;
+use crate::check::unaided::course::Course;
+use crate::check::unaided::dimensions;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::report::Equation;
+use crate::formula::Value;
+use crate::formula::units::in_si::has_units;
+use crate::formula::{Expr, Node, Relation};
+use crate::notes::claims::Claim;
+
+/// The fewest states that show a ratio.
+const FEWEST: usize = 3;
+
+/// The relative difference of ratios that are one number.
+const EQUAL: f64 = 1e-9;
+
+/// The relative difference from 1 of what is no rounded number.
+const ROUNDED: f64 = 0.2;
+
+impl Course<'_, '_> {
+    /// Whether a display contains a name that a formula defines.
+    pub(super) fn uses_definitions(&self, at: usize) -> bool {
+        let model = self.checker.model;
+        let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        let mut symbols = members.flat_map(Expr::symbols);
+        symbols.any(|(id, _)| matches!(model.meaning(id), Some(Meaning::Defined(_))))
+    }
+
+    /// The finding that a display is wrong, if one side is the other one but for a number. `quick` is the finding that it does not
+    /// hold.
+    pub(super) fn off_by_a_factor(&self, at: usize, claim: &Claim, quick: &Equation) -> Result<Option<Equation>> {
+        let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
+        let [Ok(statement)] = checker.readings[at].statements.as_slice() else { return Ok(None) };
+        // Of log nobody knows the base.
+        if display.text.contains("\\log") || !statement.conditions.is_empty() || statement.branch.is_some() {
+            return Ok(None);
+        }
+        let mut pairs = statement.members.windows(2).zip(&statement.relations);
+        let is_off = |(pair, (relation, _)): (&[Expr], &(Relation, _))| -> Result<bool> {
+            let may_be = is_equality(*relation) && pair.iter().all(may_be_off);
+            Ok(may_be && self.ratio_is_wrong(at, &pair[0], &pair[1])?)
+        };
+        if !pairs.try_fold(false, |known, pair| Ok::<bool, crate::Error>(known || is_off(pair)?))? {
+            return Ok(None);
+        }
+        let mut repairs = checker.own_repairs(at, quick, claim, Search::Likely)?;
+        repairs.retain(|repair| {
+            matches!(repair.verdict, Verdict::Certified | Verdict::Verified)
+                && !repair.idle
+                && repair.shared.is_none()
+                && display.body.contains(repair.span)
+                && !dimensions::are_spoilt(checker, at, repair)
+        });
+        Ok(Some(Equation { repairs, ..self.equation(checker, at, claim)? }))
+    }
+
+    /// Whether the ratio of two sides is a number other than 1, in all states.
+    fn ratio_is_wrong(&self, at: usize, lhs: &Expr, rhs: &Expr) -> Result<bool> {
+        let Ok(link) = self.checker.link(lhs, Relation::Equal, rhs) else { return Ok(false) };
+        let context = self.context(&[]);
+        let mode = context.mode(false, &[&link.lhs, &link.rhs]);
+        let ensemble = context.ensemble(mode, false, context.options.points)?;
+        let value = |found| match found {
+            Value::Scalar(number) => Some(number),
+            _ => None,
+        };
+        let mut ratios = Vec::new();
+        for state in &ensemble.states {
+            let (Ok(a), Ok(b)) = (state.now(&link.lhs, &[]), state.now(&link.rhs, &[])) else { return Ok(false) };
+            let (Some(a), Some(b)) = (value(a), value(b)) else { return Ok(false) };
+            ratios.push(a.value / b.value);
+        }
+        let Some(first) = ratios.first().copied().filter(|first| first.is_finite() && ratios.len() >= FEWEST) else {
+            return Ok(false);
+        };
+        let is_same = |ratio: &f64| (ratio / first - 1.0).abs() < EQUAL;
+        // What differs by a sign may be about the other direction.
+        let may_turn = !self.uses_definitions(at);
+        let least = if [lhs, rhs].into_iter().any(has_decimals) { ROUNDED } else { EQUAL };
+        Ok(ratios.iter().all(is_same) && (first > 0.0 || may_turn) && (first - 1.0).abs() > least)
+    }
+}
+
+/// Whether a formula may be one side of what is off by a factor: no name beside its definition, nothing measured.
+fn may_be_off(side: &Expr) -> bool {
+    side.as_plain_symbol().is_none() && !side.is_null() && !has_units(side)
+}
+
+fn has_decimals(side: &Expr) -> bool {
+    let mut found = false;
+    side.walk(&mut |part| found |= matches!(&part.node, Node::Number(digits) if digits.contains('.')));
+    found
+}
