@@ -104,6 +104,18 @@ fn is_time(item: &Item, time: Option<&Name>) -> bool {
     matches!(inner.as_slice(), [only] if names::printed(only, None).is_some_and(|printed| Some(&printed.name) == time))
 }
 
+/// `\Delta x`, which is one name unless Δ is one.
+fn difference(delta: &Item, only: &Item, symbols: &mut Symbols, branch: Option<Sign>) -> Option<Unknown> {
+    let is_delta = matches!(&delta.layout, Layout::Command(command) if command == "\\Delta");
+    if !is_delta || symbols.find(&Name::plain("\\Delta")).is_some() {
+        return None;
+    }
+    let mut printed = names::printed(only, branch).filter(|found| found.dots == 0 && found.sup.is_none())?;
+    printed.name.base = format!("\\Delta {}", printed.name.base);
+    let is_known = Reader::new(symbols, branch).is_known(&printed, only.span);
+    (!is_known).then(|| Unknown::Name(printed.name, delta.span.to(only.span)))
+}
+
 impl Unknown {
     /// The definition that these items are, if they are one.
     pub(super) fn of(items: &[Item], place: Place, symbols: &mut Symbols, branch: Option<Sign>) -> Option<Unknown> {
@@ -111,6 +123,11 @@ impl Unknown {
             return None;
         }
         let significant: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+        if let (true, [delta, only]) = (place == Place::First, significant.as_slice())
+            && let Some(found) = difference(delta, only, symbols, branch)
+        {
+            return Some(found);
+        }
         let time = symbols.time.clone();
         let mut name = |item: &Item, power: Option<u32>| {
             let printed = names::printed(item, branch).filter(|printed| printed.dots == 0)?;

@@ -176,6 +176,10 @@ impl Builder<'_> {
                     .help("this can be a d before one name, such as dU")),
             };
         }
+        if declaration.range.value == Range::Given {
+            self.model.macros.values.add(&items);
+            return Ok(());
+        }
         let is_vector = matches!(declaration.range.value, Range::Matrix(3, 1));
         let kind = if is_vector { Kind::Vector } else { Kind::Scalar };
         let moves = declaration.role == Role::VariesWithTime;

@@ -103,7 +103,8 @@ impl Sampler {
             | Range::Matrix(..)
             | Range::Complex
             | Range::ImaginaryUnit
-            | Range::Rate => self.value(&Range::Any, spread),
+            | Range::Rate
+            | Range::Given => self.value(&Range::Any, spread),
             Range::Integer { low, high } => {
                 let high = last(high, *low);
                 (*low as f64 + (self.unit() * (high - low + 1) as f64).floor()).min(high as f64)
@@ -174,7 +175,8 @@ pub fn contains(range: &Range, value: f64) -> bool {
         | Range::Matrix(..)
         | Range::Complex
         | Range::ImaginaryUnit
-        | Range::Rate => value.is_finite(),
+        | Range::Rate
+        | Range::Given => value.is_finite(),
         Range::Interval { low, high, low_open, high_open } => {
             // An excluded end that a solver reaches to rounding is excluded.
             let rounding = ROUNDING * (high - low);

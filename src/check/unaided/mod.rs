@@ -28,6 +28,7 @@ mod links;
 mod nearness;
 mod premises;
 mod prose;
+mod remarks;
 mod scope;
 mod screen;
 mod signs;
@@ -280,6 +281,11 @@ fn with_ids(notes: &Notes) -> Notes {
     define_macros(&notes.macros, &mut macros);
     if !complex::are_spoken_of(&notes) {
         notes.equations.iter_mut().for_each(|display| display.text = complex::without_stars(&display.text));
+    }
+    for display in &mut notes.equations {
+        if let Some(text) = remarks::blanked(&display.text) {
+            display.text = text;
+        }
     }
     let displays = notes.equations.iter().flat_map(|display| statements_of(display, &notes, &macros)).collect();
     notes.equations = inline::with_definitions(&notes, displays, &macros);

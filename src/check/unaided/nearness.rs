@@ -8,7 +8,7 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::symbols::Kind;
+use crate::formula::symbols::{Kind, Name};
 use crate::formula::units::in_si::has_units;
 use crate::formula::{Expr, Node, Relation, SymbolId, text};
 use crate::notes::claims::{Claim, Range, Spanned};
@@ -24,7 +24,7 @@ use crate::check::sample::context::{Context, Options};
 use crate::check::unaided::course::Course;
 use crate::check::unaided::gate;
 use crate::check::unaided::integrands;
-use crate::check::unaided::prose;
+use crate::check::unaided::{prose, remarks};
 use crate::check::verdict::report::Equation;
 
 /// The most symbols of two formulas that are compared in limits.
@@ -121,7 +121,11 @@ impl Course<'_, '_> {
         }
         let Some(link) = self.only_approximation(at) else { return Ok(None) };
         let origin = self.scope.origin_of(at, self.checker.notes.equations.len());
-        let sentence = prose::sentence(self.checker.notes, origin);
+        let mut sentence = prose::sentence(self.checker.notes, origin);
+        let notes = self.checker.notes;
+        if let Some(remark) = remarks::remark(&notes.equations[at], &notes.source) {
+            sentence += &format!(" ${remark}$");
+        }
         let Some((mut conditions, are_named)) = self.conditions(&link, &sentence) else { return Ok(None) };
         let mut ratios = Vec::new();
         for condition in &conditions {
@@ -203,7 +207,13 @@ impl Course<'_, '_> {
     /// The limits in which two formulas of the same symbols may be nearly equal, and whether words name them.
     fn conditions(&self, link: &Link, sentence: &str) -> Option<(Vec<Condition>, bool)> {
         let model = self.checker.model;
-        let (left, right) = (drawn(&[&link.lhs], model), drawn(&[&link.rhs], model));
+        let time = model.symbols.find(&Name::plain("t")).map(|(id, _)| id);
+        let time = time.filter(|id| matches!(model.meaning(*id), Some(Meaning::Time)));
+        let symbols_of = |side: &Expr| {
+            let time = time.filter(|_| model.contains_time(side));
+            drawn(&[side], model).into_iter().chain(time).collect::<Vec<_>>()
+        };
+        let (left, right) = (symbols_of(&link.lhs), symbols_of(&link.rhs));
         let contains = |a: &[SymbolId], b: &[SymbolId]| b.iter().all(|id| a.contains(id));
         if !contains(&left, &right) && !contains(&right, &left) {
             return None;
@@ -211,7 +221,8 @@ impl Course<'_, '_> {
         let mut symbols = if left.len() >= right.len() { left } else { right };
         let is_number = |id: &SymbolId| {
             let entry = model.symbols.entry(*id);
-            let is_drawn = matches!(model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Varying(_)));
+            let is_drawn =
+                matches!(model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Varying(_) | Meaning::Time));
             entry.slots.is_empty() && entry.kind == Kind::Scalar && is_drawn && entry.coefficient.is_none()
         };
         if symbols.is_empty() || symbols.len() > MOST || !symbols.iter().all(is_number) {

@@ -7,7 +7,9 @@ use crate::latex::layout::{Delimiter, Item, Layout, typeset_items};
 use crate::latex::{Macros, names};
 use crate::notes::Display;
 
-use differentials::{contents, differential_of, is_by_time, is_differential, is_factor, is_letter_d, is_mark};
+use differentials::{
+    contents, difference, differential_of, is_by_time, is_differential, is_factor, is_letter_d, is_mark,
+};
 
 /// How a name stands in the displays of a document.
 #[derive(Clone, Debug)]
@@ -276,18 +278,20 @@ fn is_relation(item: &Item) -> bool {
 
 /// Notes a name that is the whole left side here.
 fn note_left(items: &[Item], at: usize, found: &mut Vec<Usage>) {
-    let mut items = items.iter().filter(|item| !is_space(item));
-    let Some(first) = items.next() else { return };
-    let Some(printed) = names::printed(first, None).filter(|printed| printed.dots == 0) else { return };
-    let next = items.next();
-    let after = match next {
-        Some(Item { layout: Layout::Fence(Delimiter::Round, _), .. }) => items.next(),
-        other => other,
+    let solid: Vec<&Item> = items.iter().filter(|item| !is_space(item)).take(3).collect();
+    let [first, rest @ ..] = solid.as_slice() else { return };
+    let (name, is_power, after) = match difference(first, rest.first().copied()) {
+        Some(name) => (name, false, rest.get(1)),
+        None => {
+            let Some(printed) = names::printed(first, None).filter(|printed| printed.dots == 0) else { return };
+            let has_arguments = matches!(rest, [Item { layout: Layout::Fence(Delimiter::Round, _), .. }, ..]);
+            (printed.name, printed.sup.is_some(), rest.get(usize::from(has_arguments)))
+        }
     };
-    if after.is_some_and(is_relation) {
-        let usage = entry(found, &printed.name, at);
+    if after.is_some_and(|after| is_relation(after)) {
+        let usage = entry(found, &name, at);
         usage.introduced = usage.introduced.or(Some(at)).filter(|_| usage.first == at || usage.introduced.is_some());
-        usage.only_a_power = printed.sup.is_some() && (usage.only_a_power || !usage.given);
+        usage.only_a_power = is_power && (usage.only_a_power || !usage.given);
         usage.given = true;
     }
 }
@@ -339,6 +343,9 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
         }
         // The mark of a difference or of a variation is no quantity.
         if is_mark(item, items.get(index + 1), place.has_coefficient) {
+            if let Some(name) = difference(item, items.get(index + 1)) {
+                entry(found, &name, at).positive |= here.positive;
+            }
             continue;
         }
         if let Some(printed) = names::printed(item, None) {

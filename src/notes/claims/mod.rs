@@ -139,6 +139,7 @@ enum Formula {
     Constant { is_vector: bool },
     Varies { is_vector: bool },
     Rate,
+    Given,
 }
 
 /// What a rotation matrix turns.
@@ -345,6 +346,7 @@ fn declarations(fields: &Fields<'_>, source: &Source) -> Result<Declared, Fault>
             ("constant vector", Formula::Constant { is_vector: true }),
             ("vector that varies with time", Formula::Varies { is_vector: true }),
             ("rate", Formula::Rate),
+            ("given by a display", Formula::Given),
         ];
         let Spanned { value: formula, span } = fields::word(&value, &name.value, words)?;
         let (role, range) = match formula {
@@ -353,6 +355,7 @@ fn declarations(fields: &Fields<'_>, source: &Source) -> Result<Declared, Fault>
             Formula::Varies { is_vector: false } => (Role::VariesWithTime, Range::Any),
             Formula::Varies { is_vector: true } => (Role::VariesWithTime, Range::Matrix(3, 1)),
             Formula::Rate => (Role::VariesWithTime, Range::Rate),
+            Formula::Given => (Role::Constant, Range::Given),
         };
         declarations.push(Declaration { role, name, range: Spanned::new(range, span), is_formula: true });
     }

@@ -58,6 +58,8 @@ pub enum Range {
     /// Of a differential such as dU: the rate of what is differentiated, since all differentials of a display are taken along one
     /// process.
     Rate,
+    /// `given by a display`: of a formula that stands for one name, what the display with that name on its left side says.
+    Given,
     /// `fixed direction`: a vector of which only the length varies. Under `varies with time` only.
     FixedDirection,
 }

@@ -65,7 +65,7 @@ fn of_document(key: &str) -> Value {
         "formulas as names" => json!({
             "description": "Formulas that stand for one name each, such as a mean value.",
             "type": "object",
-            "additionalProperties": { "enum": ["constant", "varies with time", "constant vector", "vector that varies with time", "rate"] }
+            "additionalProperties": { "enum": ["constant", "varies with time", "constant vector", "vector that varies with time", "rate", "given by a display"] }
         }),
         "laws" => described(named(), "What is taken for granted: names with an address or LaTeX."),
         "means" => described(named(), "What a name is for the system: \"L\": \"Lagrangian\"."),

@@ -254,7 +254,13 @@ pub(crate) fn is_named(notes: &Notes, span: Span) -> bool {
         QUANTITIES.iter().any(is_it) || ["is", "are", "by", "called", "denote"].contains(&word.as_str())
     };
     let gives_names = last(&words, &["name", "naming", "call", "calling", "abbreviating", "denoting"]).is_some();
-    last(&words, &CONDITION).is_none() && (is_alone || gives_names || words.last().is_some_and(is_quantity))
+    let is_said = is_alone || gives_names || words.last().is_some_and(is_quantity);
+    // "The speed at k_0 is half of the group velocity v_0 = …": the condition is over with the verb.
+    let is_over = |condition: usize| {
+        last(&words, &["is", "are", "has", "equals", "becomes"])
+            .is_some_and(|verb| verb > condition && verb + 1 < words.len())
+    };
+    is_said && last(&words, &CONDITION).is_none_or(is_over)
 }
 
 /// Whether the sentence of a formula begins with a condition.

@@ -413,7 +413,8 @@ fn grid(range: &Range, finer: u32) -> Vec<f64> {
         | Range::Matrix(..)
         | Range::Complex
         | Range::ImaginaryUnit
-        | Range::Rate => {
+        | Range::Rate
+        | Range::Given => {
             let positive = decades(finer);
             positive.iter().rev().map(|x| -x).chain(positive.iter().copied()).collect()
         }

@@ -47,7 +47,7 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
             {
                 *equation = consistent(equation, &name);
             }
-        } else if is_said_to_follow(checker, first + place, culprit.at) {
+        } else if is_said_to_follow(checker, (first + place, &found[place]), culprit.at) {
             found[place] = unfollowing(&found[place], &name, culprit.repair);
         } else {
             found[defined] = contradicted(&found[defined], &id);
@@ -70,10 +70,20 @@ pub(super) fn consistent(equation: &Equation, other: &str) -> Equation {
     undecided(equation, format!("this follows once ({other}) is corrected"))
 }
 
-/// Whether the words say that a display follows, and do not say it of the earlier one that it contradicts.
-fn is_said_to_follow(checker: &Checker<'_>, at: usize, earlier: usize) -> bool {
+/// Whether the words say that a display follows, and do not say it of the earlier one that it contradicts. What is wrong after the
+/// first equality of a chain is said to follow too.
+fn is_said_to_follow(checker: &Checker<'_>, (at, found): (usize, &Equation), earlier: usize) -> bool {
     let says = |at: usize| prose::before(checker.notes, at).announced == Announced::Consequence;
-    earlier < at && says(at) && !says(earlier)
+    let start = checker.notes.equations[at].body.start;
+    let mut statements = checker.readings[at].statements.iter().flatten();
+    let is_later = statements.any(|statement| match statement.members.as_slice() {
+        [_, second, _, ..] => {
+            statement.span.shifted(start).contains(found.finding.span)
+                && second.span.start + start <= found.finding.span.start
+        }
+        _ => false,
+    });
+    earlier < at && (is_later || says(at)) && !says(earlier)
 }
 
 /// A display that is said to follow and contradicts what it is said to follow from; `repair` is an edit of the other.

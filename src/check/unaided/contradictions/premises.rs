@@ -76,7 +76,7 @@ pub(in crate::check::unaided) fn weighed(course: &Course<'_, '_>, found: &mut [E
         alike.iter().for_each(|at| found[at - first] = consistent(&found[at - first], &name));
     }
     for (is_common_here, Suspicion { by, premise, repair }) in suspicions {
-        let follows = is_said_to_follow(course.checker, by, premise);
+        let follows = is_said_to_follow(course.checker, (by, &found[by - first]), premise);
         let (by, premise) = (by - first, premise - first);
         let is_taken = found[premise].finding.verdict == Verdict::Assumed;
         if is_common_here && is_taken && is_wrong(by + first, found) {

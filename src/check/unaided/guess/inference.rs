@@ -12,8 +12,7 @@ use serde_json::{Map, Value, json};
 use crate::Result;
 use crate::formula::symbols::Name;
 use crate::formula::{Expr, Node};
-use crate::latex::layout::typeset_items;
-use crate::latex::{Macros, has_imaginary_unit, names};
+use crate::latex::{Macros, names};
 use crate::notes::{Claims, Notes, claims_beside};
 use crate::source::{Missing, Source, Span};
 
@@ -22,6 +21,7 @@ use crate::check::document::setup::{Run, define_macros, with_checker};
 use crate::check::document::unreadable::faults;
 use crate::check::model::Model;
 use crate::check::model::meaning::Variable;
+use crate::check::unaided::guess::letters::{self, is_reserved, is_reserved_name};
 use crate::check::unaided::guess::values::{self, Value as OneValue};
 use crate::check::usage::{Usage, names_of};
 
@@ -54,11 +54,11 @@ pub(crate) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
     let lagrangian = lagrangian(notes, &usages);
     for printed in [lagrangian, None] {
         let mut whole = Guess::of(&usages, printed);
-        if has_both_constants_of_planck(notes, &usages) {
+        if letters::has_both_constants_of_planck(notes, &usages) {
             whole = whole.without("constants", &["\\hbar".to_owned()]);
             whole.define("\\hbar", "\\frac{h}{2\\pi}");
         }
-        if means_root_of_minus_one(notes, &usages, &macros) {
+        if letters::means_root_of_minus_one(notes, &usages, &macros) {
             whole.declare("constants", "i", "imaginary unit");
         }
         // A function of a name that a display defines cannot be declared. It must not take all other guesses with it.
@@ -83,7 +83,7 @@ fn completed(
     (macros, usages): (&Macros, &[Usage]),
 ) -> Result<Option<Claims>> {
     let mut best = None;
-    let directions = hats_are_directions(notes);
+    let directions = letters::hats_are_directions(notes);
     for _ in 0..ROUNDS {
         let claims = guess.claims(notes)?;
         let look = |checker: Checker<'_>| {
@@ -107,6 +107,8 @@ fn completed(
         let is_new = guess.add(&others, directions);
         let goes_on = guess.release(&foreign)
             || is_new
+            || guess.take_given(&given)
+            || guess.take_given(&others)
             || guess.add_values(&values)
             || guess.reshape(&misshapen)
             || guess.add(&first_of(&given, usages, &lacking), directions)
@@ -132,39 +134,6 @@ fn first_of(given: &[String], usages: &[Usage], lacking: &[bool]) -> Vec<String>
 /// Whether a display cannot be read for lack of a name.
 fn lacks_a_name(reading: &crate::latex::Reading) -> bool {
     faults(reading).any(|fault| matches!(fault.missing, Some(Missing::Name(_))))
-}
-
-/// Whether ħ and h stand in one display, and no display says what either of them is: then ħ is h/2π.
-fn has_both_constants_of_planck(notes: &Notes, usages: &[Usage]) -> bool {
-    let is_given = |usage: &Usage| usage.given && ["h", "\\hbar"].contains(&usage.name.to_string().as_str());
-    let has_h = |text: &str| {
-        let is_letter = |c: Option<char>| c.is_some_and(|c| c.is_ascii_alphabetic() || c == '\\');
-        text.match_indices('h').any(|(at, _)| {
-            !is_letter(text[..at].chars().next_back())
-                && !is_letter(text[at + 1..].chars().next().filter(|c| *c != '\\'))
-        })
-    };
-    let has_both = |text: &str| text.contains("\\hbar") && has_h(text);
-    !usages.iter().any(is_given) && notes.equations.iter().any(|display| has_both(&display.text))
-}
-
-/// Whether i is √−1 in notes: it must be in one formula, and is no quantity or index in another.
-fn means_root_of_minus_one(notes: &Notes, usages: &[Usage], macros: &Macros) -> bool {
-    let is_i = |usage: &&Usage| usage.name == Name::plain("i");
-    let is_quantity = |usage: &Usage| usage.given || !is_reserved(usage);
-    let inline = notes.inline.iter().filter_map(|span| notes.source.text.get(span.range()));
-    let is_evident = |text: &str| {
-        let text = text.trim_matches('$');
-        text.contains('i') && typeset_items(text, macros).is_ok_and(|items| has_imaginary_unit(&items))
-    };
-    usages.iter().find(is_i).is_some_and(|usage| !is_quantity(usage))
-        && (notes.equations.iter().any(|display| is_evident(&display.text)) || inline.into_iter().any(is_evident))
-}
-
-/// Whether a hat marks a direction in notes, and no operator.
-fn hats_are_directions(notes: &Notes) -> bool {
-    let operators = ["\\hbar", "\\ket", "\\bra", "\\comm", "[\\hat", "\\rangle", "\\hat H", "\\hat{H}"];
-    !notes.equations.iter().any(|display| operators.iter().any(|mark| display.text.contains(mark)))
 }
 
 /// The coordinates that the Lagrangian of the notes does not contain.
@@ -367,7 +336,7 @@ impl Guess {
     fn add_values(&mut self, values: &[OneValue]) -> bool {
         let mut is_new = false;
         let has_motion = self.keys.contains_key("coordinates");
-        for OneValue { name, moves, is_vector, differential_of } in values {
+        for OneValue { name, moves, is_vector, differential_of, is_given } in values {
             if !self.declares(name) {
                 is_new = true;
                 // All differentials of a display are taken along one process, so they are as rates are.
@@ -377,6 +346,7 @@ impl Guess {
                     continue;
                 }
                 let kind = match (moves, is_vector) {
+                    (_, false) if *is_given => "given by a display",
                     (false, false) => "constant",
                     (true, false) => "varies with time",
                     (false, true) => "constant vector",
@@ -386,6 +356,19 @@ impl Guess {
             }
         }
         is_new
+    }
+
+    /// Declares formulas that stand for one name and that no display gives after all; returns whether there is one.
+    fn take_given(&mut self, missing: &[String]) -> bool {
+        let Some(group) = self.keys.get_mut("formulas as names").and_then(Value::as_object_mut) else { return false };
+        let mut is_one = false;
+        for (name, kind) in group.iter_mut() {
+            if missing.contains(name) && kind.as_str() == Some("given by a display") {
+                *kind = json!("varies with time");
+                is_one = true;
+            }
+        }
+        is_one
     }
 
     /// Makes a number of a formula that stands for a vector, or a vector of one that stands for a number, where a display
@@ -474,26 +457,4 @@ impl Guess {
         let text = format!("{:#}\n", Value::Object(keys));
         Claims::parse(Arc::new(Source::new(format!("{} (inferred)", beside.display()), text)), &beside)
     }
-}
-
-/// Whether a name is known without a declaration, and is not used as a quantity of the notes either.
-fn is_reserved(usage: &Usage) -> bool {
-    let is_quantity = match usage.name.base.as_str() {
-        // A current, or the inclination of an orbit in sin i.
-        "i" => usage.moves || usage.arguments.is_some() || usage.angle,
-        // An eccentricity, or the coefficient of restitution.
-        "e" => !usage.exponential,
-        "d" => usage.divides || !usage.precedes,
-        _ => false,
-    };
-    is_reserved_name(&usage.name) && !is_quantity
-}
-
-/// Whether a name is known without a declaration, or cannot be declared.
-fn is_reserved_name(name: &Name) -> bool {
-    const KNOWN: [&str; 9] = ["t", "e", "d", "i", "\\pi", "\\mathrm{d}", "\\mathrm{e}", "\\mathrm{i}", "\\mathrm{j}"];
-    let alone = name.subscript.is_empty() && name.primes == 0;
-    alone && KNOWN.contains(&name.base.as_str())
-        || name.base.starts_with("\\hat{")
-        || name.base.starts_with("\\mathrm{") && alone
 }

@@ -4,6 +4,7 @@
 //! | file | what it has |
 //! | --- | --- |
 //! | `values` | formulas that stand for one name |
+//! | `letters` | what h, i and hats mean |
 //! | `inference` | the claims file that is inferred |
 //! | `scopes` | where a letter gets another meaning |
 //! | `draft` | the inferred claims as a file |
@@ -14,6 +15,8 @@
 pub(super) mod draft;
 #[cfg(feature = "cli")]
 pub(super) mod inference;
+#[cfg(feature = "cli")]
+mod letters;
 #[cfg(feature = "cli")]
 pub(super) mod scopes;
 #[cfg(feature = "cli")]

@@ -23,6 +23,8 @@ pub(crate) struct Value {
     pub is_vector: bool,
     /// The name of which it is the differential.
     pub differential_of: Option<Name>,
+    /// Whether the first display with it says what it is.
+    pub is_given: bool,
 }
 
 impl Value {
@@ -40,7 +42,7 @@ impl Value {
         };
         let name = if printed.is_some() { text_of(&[run[0].clone(), nucleus.clone()]) } else { text_of(run) };
         let differential_of = printed.map(|printed| printed.name);
-        Value { name, moves: moves(run), is_vector: is_vector(run), differential_of }
+        Value { name, moves: moves(run), is_vector: is_vector(run), differential_of, is_given: false }
     }
 }
 
@@ -55,7 +57,9 @@ pub(crate) fn values(readings: &[Reading], notes: &Notes, macros: &Macros, usage
             if matches!(&fault.missing, Some(Missing::Name(name)) if !["d", "\\mathrm{d}"].contains(&name.as_str())) {
                 continue;
             }
-            found.extend(around(&items, fault.span).map(|run| Value::of(&run)));
+            let value =
+                around(&items, fault.span).map(|run| Value { is_given: is_left(&run, &items), ..Value::of(&run) });
+            found.extend(value);
         }
         for member in reading.statements.iter().flatten().flat_map(|statement| &statement.members) {
             member.walk(&mut |part| {
@@ -69,6 +73,15 @@ pub(crate) fn values(readings: &[Reading], notes: &Notes, macros: &Macros, usage
         }
     }
     found
+}
+
+/// Whether a mean value is the whole left side of a display: `\langle x^2 \rangle = …`.
+fn is_left(run: &[Item], items: &[Item]) -> bool {
+    let is_mean = matches!(run, [Item { layout: Layout::Fence(Delimiter::Angle, _), .. }]);
+    let mut solid = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    is_mean
+        && solid.next().is_some_and(|first| run.first() == Some(first))
+        && solid.next().is_some_and(|next| next.layout == Layout::Other('='))
 }
 
 /// Whether a formula is a derivative of a name for which no display gives a formula.
