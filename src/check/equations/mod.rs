@@ -13,7 +13,7 @@ pub(crate) mod definition_tests;
 pub(crate) mod equation;
 mod foundations;
 pub(crate) mod laws;
-mod measured;
+pub(crate) mod measured;
 pub(crate) mod merge;
 pub(crate) mod motion;
 pub(crate) mod sentences;

@@ -38,6 +38,9 @@ const ROUGHLY: f64 = 0.1;
 /// The same where three digits or more are printed.
 const WITH_DIGITS: f64 = 0.03;
 
+/// The same for numbers that are put into a formula.
+const PUT_IN: f64 = 0.01;
+
 /// A number of at least so many times its last digit has three digits.
 const THREE_DIGITS: f64 = 100.0;
 
@@ -159,6 +162,34 @@ impl Checker<'_> {
             _ => false,
         };
         formula.symbols().into_iter().all(|(id, _)| is_one(id))
+    }
+}
+
+/// How two formulas of numbers and units compare.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Comparison {
+    /// They are equal to the printed digits, or to one part in a hundred: authors round what they put in.
+    Agree,
+    /// No rounding explains the difference.
+    Differ,
+    /// Nobody can tell.
+    Open,
+}
+
+/// Compares two formulas of numbers and units.
+pub(crate) fn compared(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>) -> Comparison {
+    let is_near = match (quantity(left), quantity(right)) {
+        (Ok(a), Ok(b)) => {
+            let size = a.value.abs().max(b.value.abs());
+            a.dimension == b.dimension && (a.value - b.value).abs() < PUT_IN * size
+        }
+        _ => false,
+    };
+    match judged(left, right, is_approximate, context).verdict {
+        _ if is_near => Comparison::Agree,
+        Verdict::Verified => Comparison::Agree,
+        Verdict::Refuted => Comparison::Differ,
+        _ => Comparison::Open,
     }
 }
 

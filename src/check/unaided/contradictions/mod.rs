@@ -58,7 +58,7 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
 }
 
 /// A definition or a premise, called wrong.
-fn refuted(equation: &Equation, repair: &Repair, message: String) -> Equation {
+pub(super) fn refuted(equation: &Equation, repair: &Repair, message: String) -> Equation {
     let mut repair = repair.clone();
     repair.shared = None;
     let finding = Finding::new(Code::DefinitionContradicted, Verdict::Refuted, equation.finding.span, message);

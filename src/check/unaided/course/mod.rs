@@ -4,6 +4,7 @@
 //! slip is sought, first without premises and then with those that it could follow from. What is no slip is taken for
 //! granted, and is a premise of what comes later. What is wrong is no premise.
 
+mod examples;
 mod factor;
 mod roots;
 mod slips;
@@ -81,6 +82,7 @@ pub(super) fn judged_again(
         other_case: false,
         blamed: Vec::new(),
         confirmed: Vec::new(),
+        contradicted: Vec::new(),
         before: known,
     };
     for at in 0..scope.carried {
@@ -103,6 +105,13 @@ pub(super) fn judged_again(
         found.push(equation);
     }
     contradictions::premises::weighed(&course, &mut found)?;
+    for examples::Contradicted { definition, repair, by } in &course.contradicted {
+        let (place, by) = (definition - scope.carried, by - scope.carried);
+        if place < found.len() && matches!(found[place].finding.verdict, Verdict::Definition | Verdict::Assumed) {
+            let message = format!("the numbers in ({}) contradict this", found[by].id);
+            found[place] = contradictions::refuted(&found[place], repair, message);
+        }
+    }
     Ok(Judged { found, premises: course.known })
 }
 
@@ -132,6 +141,8 @@ pub(super) struct Course<'c, 'a> {
     pub(super) blamed: Vec<(usize, Vec<Premise>)>,
     /// The places of the premises from which another display followed.
     pub(super) confirmed: Vec<usize>,
+    /// The definitions that numbers of examples contradict.
+    contradicted: Vec<examples::Contradicted>,
     /// The findings that are known already.
     before: &'c (dyn Fn(usize) -> Option<Equation> + Sync),
 }
@@ -205,6 +216,9 @@ impl Course<'_, '_> {
         if let Some(found) = gate::wrong_numbers(&found) {
             let is_supposed = prose::before(self.checker.notes, at).announced.is_supposed();
             return Ok(if is_supposed { gate::as_it_counts(found) } else { found });
+        }
+        if let Some(found) = self.example(at)? {
+            return Ok(found);
         }
         if found.finding.verdict == Verdict::Refuted && self.lost_derivative(at) {
             return Ok(gate::left_open(found));
