@@ -65,10 +65,14 @@ mod strangers;
 mod typst;
 #[path = "cli/unaided.rs"]
 mod unaided;
+#[path = "cli/unaided_chains.rs"]
+mod unaided_chains;
 #[path = "cli/unaided_contradictions.rs"]
 mod unaided_contradictions;
 #[path = "cli/unaided_differentials.rs"]
 mod unaided_differentials;
+#[path = "cli/unaided_letters.rs"]
+mod unaided_letters;
 #[path = "cli/unaided_premises.rs"]
 mod unaided_premises;
 #[path = "cli/unaided_readings.rs"]

@@ -2,14 +2,13 @@
 //!
 //! Where a display does not follow from a definition, the slip may be in either ([`Culprit`]). The other displays that use the
 //! name decide. Where none does, one of the two is wrong and nobody can tell which: the report says so, shows an edit of each,
-//! and calls neither wrong, unless the words say that one of them follows. The same is asked of relations that are taken for granted ([`premises`]).
+//! and calls neither wrong. The same is asked of relations that are taken for granted ([`premises`]).
 
 pub(super) mod premises;
 
 use crate::Result;
 use crate::check::document::checker::Checker;
 use crate::check::repair::culprit::is_common;
-use crate::check::unaided::prose::{self, Announced};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::repair::Repair;
@@ -23,7 +22,8 @@ use crate::code::Code;
 pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation]) -> Result<()> {
     for place in 0..found.len() {
         let equation = &found[place];
-        let is_wrong = equation.finding.verdict == Verdict::Refuted && !equation.repairs.is_empty();
+        let is_wrong = equation.finding.verdict == Verdict::Refuted && equation.finding.code == Code::SidesDiffer
+            || equation.finding.verdict == Verdict::Refuted && !equation.repairs.is_empty();
         if !is_wrong || checker.model.system.is_some() {
             continue;
         }
@@ -47,8 +47,6 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
             {
                 *equation = consistent(equation, &name);
             }
-        } else if is_said_to_follow(checker, (first + place, &found[place]), culprit.at) {
-            found[place] = unfollowing(&found[place], &name, culprit.repair);
         } else {
             found[defined] = contradicted(&found[defined], &id);
             found[place] = open(&found[place], &name, culprit.repair);
@@ -68,30 +66,6 @@ pub(super) fn refuted(equation: &Equation, repair: &Repair, message: String) -> 
 /// A display that follows once another one is corrected.
 pub(super) fn consistent(equation: &Equation, other: &str) -> Equation {
     undecided(equation, format!("this follows once ({other}) is corrected"))
-}
-
-/// Whether the words say that a display follows, and do not say it of the earlier one that it contradicts. What is wrong after the
-/// first equality of a chain is said to follow too.
-fn is_said_to_follow(checker: &Checker<'_>, (at, found): (usize, &Equation), earlier: usize) -> bool {
-    let says = |at: usize| prose::before(checker.notes, at).announced == Announced::Consequence;
-    let start = checker.notes.equations[at].body.start;
-    let mut statements = checker.readings[at].statements.iter().flatten();
-    let is_later = statements.any(|statement| match statement.members.as_slice() {
-        [_, second, _, ..] => {
-            statement.span.shifted(start).contains(found.finding.span)
-                && second.span.start + start <= found.finding.span.start
-        }
-        _ => false,
-    });
-    earlier < at && (is_later || says(at)) && !says(earlier)
-}
-
-/// A display that is said to follow and contradicts what it is said to follow from; `repair` is an edit of the other.
-fn unfollowing(equation: &Equation, other: &str, repair: Repair) -> Equation {
-    let message = format!("this contradicts ({other}), from which it is said to follow");
-    let finding = Finding { code: Code::Contradiction, message, ..equation.finding.clone() };
-    let repairs = equation.repairs.iter().take(1).cloned().chain([repair]).collect();
-    Equation { finding, parts: Vec::new(), repairs, ok: false, ..equation.clone() }
 }
 
 /// A display that another one contradicts, where nobody can tell which of the two is wrong.

@@ -9,7 +9,7 @@ use crate::Result;
 use crate::check::repair::culprit::is_common;
 use crate::check::repair::ranking::{adds_parentheses, rank};
 use crate::check::repair::suggest::is_in_source;
-use crate::check::unaided::contradictions::{consistent, contradicted, is_said_to_follow, open, refuted, unfollowing};
+use crate::check::unaided::contradictions::{consistent, contradicted, open, refuted};
 use crate::check::unaided::course::Course;
 use crate::check::unaided::premises::{self, Premise, Said};
 use crate::check::verdict::Verdict;
@@ -76,15 +76,10 @@ pub(in crate::check::unaided) fn weighed(course: &Course<'_, '_>, found: &mut [E
         alike.iter().for_each(|at| found[at - first] = consistent(&found[at - first], &name));
     }
     for (is_common_here, Suspicion { by, premise, repair }) in suspicions {
-        let follows = is_said_to_follow(course.checker, (by, &found[by - first]), premise);
         let (by, premise) = (by - first, premise - first);
         let is_taken = found[premise].finding.verdict == Verdict::Assumed;
         if is_common_here && is_taken && is_wrong(by + first, found) {
             let (id, name) = (found[by].id.clone(), found[premise].id.clone());
-            if follows {
-                found[by] = unfollowing(&found[by], &name, repair);
-                continue;
-            }
             found[premise] = contradicted(&found[premise], &id);
             found[by] = open(&found[by], &name, repair);
         }

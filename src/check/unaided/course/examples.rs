@@ -149,7 +149,7 @@ impl Course<'_, '_> {
     }
 
     /// The likely slips in a display, or a part of it, the likeliest first.
-    fn edits_of(&self, at: usize, part: Option<Span>) -> Vec<Edit> {
+    pub(super) fn edits_of(&self, at: usize, part: Option<Span>) -> Vec<Edit> {
         let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
         let mut edits =
             slips::corrections(&display.text, &checker.model.symbols, &checker.model.macros, &Pool::empty());

@@ -65,28 +65,30 @@ impl Course<'_, '_> {
 
     /// Whether the ratio of two sides is a number other than 1, in all states.
     fn ratio_is_wrong(&self, at: usize, lhs: &Expr, rhs: &Expr) -> Result<bool> {
-        let Ok(link) = self.checker.link(lhs, Relation::Equal, rhs) else { return Ok(false) };
-        let context = self.context(&[]);
-        let mode = context.mode(false, &[&link.lhs, &link.rhs]);
-        let ensemble = context.ensemble(mode, false, context.options.points)?;
-        let value = |found| match found {
-            Value::Scalar(number) => Some(number),
-            _ => None,
-        };
-        let mut ratios = Vec::new();
-        for state in &ensemble.states {
-            let (Ok(a), Ok(b)) = (state.now(&link.lhs, &[]), state.now(&link.rhs, &[])) else { return Ok(false) };
-            let (Some(a), Some(b)) = (value(a), value(b)) else { return Ok(false) };
-            ratios.push(a.value / b.value);
-        }
-        let Some(first) = ratios.first().copied().filter(|first| first.is_finite() && ratios.len() >= FEWEST) else {
-            return Ok(false);
-        };
-        let is_same = |ratio: &f64| (ratio / first - 1.0).abs() < EQUAL;
         // What differs by a sign may be about the other direction.
         let may_turn = !self.uses_definitions(at);
         let least = if [lhs, rhs].into_iter().any(has_decimals) { ROUNDED } else { EQUAL };
-        Ok(ratios.iter().all(is_same) && (first > 0.0 || may_turn) && (first - 1.0).abs() > least)
+        let ratio = self.constant_ratio(lhs, rhs)?;
+        Ok(ratio.is_some_and(|ratio| (ratio > 0.0 || may_turn) && (ratio - 1.0).abs() > least))
+    }
+
+    /// The ratio of two formulas, if it is one number in all states.
+    pub(super) fn constant_ratio(&self, lhs: &Expr, rhs: &Expr) -> Result<Option<f64>> {
+        let Ok(link) = self.checker.link(lhs, Relation::Equal, rhs) else { return Ok(None) };
+        let context = self.context(&[]);
+        let mode = context.mode(false, &[&link.lhs, &link.rhs]);
+        let ensemble = context.ensemble(mode, false, context.options.points)?;
+        let mut ratios = Vec::new();
+        for state in &ensemble.states {
+            let sides = (state.now(&link.lhs, &[]), state.now(&link.rhs, &[]));
+            // A root may have no value in a state.
+            let (Ok(a), Ok(b)) = sides else { continue };
+            let (Value::Scalar(a), Value::Scalar(b)) = (a, b) else { return Ok(None) };
+            ratios.push(a.value / b.value);
+        }
+        let first = ratios.first().copied().filter(|first| first.is_finite() && ratios.len() >= FEWEST);
+        let is_same = |ratio: &f64| first.is_some_and(|first| (ratio / first - 1.0).abs() < EQUAL);
+        Ok(first.filter(|_| ratios.iter().all(is_same)))
     }
 }
 

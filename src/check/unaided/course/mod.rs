@@ -8,6 +8,7 @@ mod examples;
 mod factor;
 mod roots;
 mod slips;
+mod special_values;
 pub(super) mod taken;
 
 use std::collections::{HashMap, VecDeque};
@@ -107,8 +108,11 @@ pub(super) fn judged_again(
     contradictions::premises::weighed(&course, &mut found)?;
     for examples::Contradicted { definition, repair, by } in &course.contradicted {
         let (place, by) = (definition - scope.carried, by - scope.carried);
-        if place < found.len() && matches!(found[place].finding.verdict, Verdict::Definition | Verdict::Assumed) {
-            let message = format!("the numbers in ({}) contradict this", found[by].id);
+        // What was judged in another section is gone.
+        let Some(message) = found.get(by).map(|found| format!("the numbers in ({}) contradict this", found.id)) else {
+            continue;
+        };
+        if matches!(found[place].finding.verdict, Verdict::Definition | Verdict::Assumed) {
             found[place] = contradictions::refuted(&found[place], repair, message);
         }
     }
@@ -218,6 +222,9 @@ impl Course<'_, '_> {
             return Ok(if is_supposed { gate::as_it_counts(found) } else { found });
         }
         if let Some(found) = self.example(at)? {
+            return Ok(found);
+        }
+        if let Some(found) = self.special_value(at, &found)? {
             return Ok(found);
         }
         if found.finding.verdict == Verdict::Refuted && self.lost_derivative(at) {
