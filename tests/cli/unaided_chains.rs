@@ -194,8 +194,8 @@ $$ T_c = \frac{8 \cdot 0.137}{27 \cdot 8.314 \cdot 3.87 \cdot 10^{-5}}\,\mathrm{
 #[test]
 fn numbers_contradict_a_definition() {
     assert!(!right("nitrogen", CRITICAL_NUMBERS).contains(&"refuted".to_owned()));
-    let wrong = findings("nitrogen", &CRITICAL_NUMBERS.replace("{27 R b}", "{9 R b}"));
-    assert_eq!((wrong[0].0.as_str(), wrong[0].1.as_deref()), ("refuted", Some("27")), "{wrong:?}");
+    let wrong = findings("nitrogen", &CRITICAL_NUMBERS.replace("8 a}", "4 a}"));
+    assert_eq!((wrong[0].0.as_str(), wrong[0].1.as_deref()), ("refuted", Some("8")), "{wrong:?}");
 }
 
 #[test]

@@ -95,13 +95,27 @@ fn alone(display: &Display, statement: &Statement, link: usize) -> Option<Displa
 
 /// Gives each chain what the findings on its equalities say; these come after those on the displays.
 pub(super) fn merged(found: &mut [Equation], first: usize, apart: &Apart, links: &[Equation]) {
+    // The report knows an equality by the name of its chain.
+    for (link, equality) in apart.links.iter().zip(links) {
+        let Some(chain) =
+            link.chain.checked_sub(first).and_then(|place| found.get(place)).map(|chain| chain.id.clone())
+        else {
+            continue;
+        };
+        let named = format!("({})", equality.id);
+        for equation in found.iter_mut().filter(|equation| equation.finding.message.contains(&named)) {
+            equation.finding.message = equation.finding.message.replace(&named, &format!("({chain})"));
+        }
+    }
     for (place, chain) in found.iter_mut().enumerate() {
         let own = apart.links.iter().zip(links).filter(|(link, _)| link.chain == first + place);
         let own: Vec<&Equation> = own.map(|(_, found)| found).collect();
         if !is_open(chain) {
             continue;
         }
-        let is_wrong = |link: &&&Equation| link.finding.verdict == Verdict::Refuted;
+        // Of two displays that contradict each other one is wrong.
+        let is_wrong =
+            |link: &&&Equation| link.finding.verdict == Verdict::Refuted || link.finding.code == Code::Contradiction;
         if let Some(link) = own.iter().find(is_wrong) {
             *chain = Equation {
                 finding: link.finding.clone(),

@@ -181,6 +181,8 @@ fn with_links(
     // The equalities help where they can be read, and take nothing away.
     if let Ok(judged) = judged {
         let links = judged.found.get(found.len()..).unwrap_or_default().to_vec();
+        // An equality may contradict a display, and so be weighed against it.
+        found.iter_mut().zip(judged.found).for_each(|(before, now)| *before = now);
         links::merged(&mut found, scope.carried, &apart, &links);
     }
     Ok(found)
