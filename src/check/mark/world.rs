@@ -78,6 +78,8 @@ pub(super) struct World<'p> {
     lines: Vec<(usize, Renamed)>,
     /// The letters of the problem, and those of the student that stand for them.
     back: HashMap<Name, Name>,
+    /// The names of which the hand-in writes rates with other names, as x''.
+    rated: Vec<Name>,
 }
 
 impl<'p> World<'p> {
@@ -194,6 +196,7 @@ impl<'p> World<'p> {
             instants: instants.collect(),
             lines,
             back,
+            rated: letters.values().filter(|other| other.dots > 0).map(|other| other.name.clone()).collect(),
         };
         for name in world.instants.clone().iter().filter_map(|instant| Some(names::parse(&instant.name)?.0)) {
             world.declare(&name, &usages);
@@ -239,9 +242,9 @@ impl<'p> World<'p> {
         }
         let is_vector = ["\\vec{", "\\mathbf{", "\\boldsymbol{", "\\bm{"].iter().any(|mark| shown.starts_with(mark));
         let usage = usages.iter().find(|usage| usage.name == *name);
-        let moves = usage.is_some_and(|usage| usage.moves);
+        let moves = usage.is_some_and(|usage| usage.moves) || self.rated.contains(name);
         let range = match usage {
-            Some(usage) if usage.positive && !is_vector && !usage.moves => Range::Positive,
+            Some(usage) if usage.positive && !is_vector && !moves => Range::Positive,
             Some(usage) if usage.angle && !is_vector => Range::Angle,
             _ => Range::Any,
         };

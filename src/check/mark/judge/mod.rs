@@ -15,7 +15,7 @@ use crate::check::verdict::finding::Finding;
 
 use super::carried::energies;
 use super::given::Implied;
-use super::judged::{self, Judged};
+use super::judged::{Judged, Rival};
 use super::marked::{Line, Mark};
 use super::motion::{Along, Motion};
 use super::near_rest;
@@ -42,19 +42,18 @@ use readings::{Break, free_of, with_dots};
 /// # Errors
 /// When the problem cannot be applied to the hand-in.
 pub(super) fn judge(run: &Run<'_>, world: &World<'_>) -> Result<Judged> {
-    let nothing = || Judged { lines: Vec::new(), found: Vec::new() };
-    Ok(judged(run, world, (true, None))?.unwrap_or_else(nothing))
+    judged(run, world, (true, None))
 }
 
-/// Judges the lines of a hand-in by numbers alone; `None`, once its score cannot be more than `best`.
+/// Judges the lines of a hand-in by numbers alone, until it cannot have a better score than `rival`.
 ///
 /// # Errors
 /// As [`judge`].
-pub(super) fn judge_quickly(run: &Run<'_>, world: &World<'_>, best: Option<i64>) -> Result<Option<Judged>> {
-    judged(run, world, (false, best))
+pub(super) fn judge_quickly(run: &Run<'_>, world: &World<'_>, rival: &Rival) -> Result<Judged> {
+    judged(run, world, (false, Some(rival)))
 }
 
-fn judged(run: &Run<'_>, world: &World<'_>, (details, best): (bool, Option<i64>)) -> Result<Option<Judged>> {
+fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Rival>)) -> Result<Judged> {
     world.checked(run, |checker| {
         let first = world.first;
         let readings: Vec<Reading> = checker.readings.iter().cloned().map(with_dots).collect();
@@ -87,9 +86,8 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, best): (bool, Option<i64>)
         };
         for at in 0..world.written.len() {
             judge.line(at)?;
-            let left = world.written.len() - at - 1;
-            if best.is_some_and(|best| judged::at_most(&judge.lines, left, world.problem.wanted.len()) <= best) {
-                return Ok(None);
+            if rival.is_some_and(|rival| !rival.may_be_beaten(&judge.lines)) {
+                return Ok(Judged { lines: judge.lines, found: Vec::new() });
             }
         }
         let (mut lines, premises) = (judge.lines, judge.premises);
@@ -105,7 +103,7 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, best): (bool, Option<i64>)
             }
         }
         let found = results::found(&quiet, world, &mut lines, (&premises, details.then_some(&corrected)))?;
-        Ok(Some(Judged { lines, found }))
+        Ok(Judged { lines, found })
     })
 }
 
@@ -260,8 +258,9 @@ impl Judge<'_, '_> {
             }
             let loose = (!context.small.is_empty() || context.limit.is_some()).then(|| approximate(reading));
             let own = context.secular_for.is_some().then(|| self.of_the_frequency(reading));
-            let found = status(&checker, display, own.as_ref().or(loose.as_ref()).unwrap_or(reading), context);
-            if matches!(found, Status::Holds(_)) || self.along(&checker, display, reading, context) == Along::True {
+            if self.holds_under(&checker, display, own.as_ref().or(loose.as_ref()).unwrap_or(reading), context)
+                || self.along(&checker, display, reading, context) == Along::True
+            {
                 return (Status::Holds(Verdict::Verified), "follows from the problem, with its hypotheses".to_owned());
             }
         }
@@ -287,15 +286,24 @@ impl Judge<'_, '_> {
             let last = (all.len() > 1).then(|| vec![spanned(text)]);
             for assume in [Some(all), last].into_iter().flatten() {
                 let claim = Claim { assume, ..Claim::default() };
-                let found = status(&checker, display, reading, &claim);
                 let is_along = || self.along(&checker, display, reading, &claim) == Along::True;
-                if matches!(found, Status::Holds(_)) || is_along() {
+                if self.holds_under(&checker, display, reading, &claim) || is_along() {
                     let found = Status::Holds(Verdict::Verified);
                     return (found, format!("follows under the condition of {name}"));
                 }
             }
         }
         (own, String::new())
+    }
+
+    /// Whether a reading holds under a claim. Where other letters are sought, a few states that obey its hypotheses tell enough.
+    fn holds_under(&self, checker: &Checker<'_>, display: usize, reading: &Reading, claim: &Claim) -> bool {
+        let (assume, throughout) = (claim.assume.clone(), claim.throughout.clone());
+        let only_supposes = *claim == Claim { assume, throughout, ..Claim::default() } && !checker.starts(claim);
+        if self.details || !only_supposes || stated(reading).is_some() {
+            return matches!(status(checker, display, reading, claim), Status::Holds(_));
+        }
+        checker.hypotheses(claim).is_ok_and(|hypotheses| slip::fits_under(checker, reading, &hypotheses))
     }
 
     fn along(&self, checker: &Checker<'_>, display: usize, reading: &Reading, claim: &Claim) -> Along {
