@@ -80,6 +80,8 @@ pub(super) struct World<'p> {
     back: HashMap<Name, Name>,
     /// The names of which the hand-in writes rates with other names, as x''.
     rated: Vec<Name>,
+    /// Those other names.
+    rates: Vec<Name>,
 }
 
 impl<'p> World<'p> {
@@ -197,6 +199,7 @@ impl<'p> World<'p> {
             lines,
             back,
             rated: letters.values().filter(|other| other.dots > 0).map(|other| other.name.clone()).collect(),
+            rates: letters.iter().filter(|(_, other)| other.dots > 0).map(|(own, _)| own.clone()).collect(),
         };
         for name in world.instants.clone().iter().filter_map(|instant| Some(names::parse(&instant.name)?.0)) {
             world.declare(&name, &usages);
@@ -237,7 +240,7 @@ impl<'p> World<'p> {
         // The d of a differential is no name.
         let is_differential = shown == "d" && usages.iter().any(|usage| usage.name == *name && usage.precedes);
         let is_known = self.problem.names.symbols.find(name).is_some();
-        if self.declared.contains(name) || is_hat || is_known || is_differential {
+        if self.declared.contains(name) || self.rates.contains(name) || is_hat || is_known || is_differential {
             return false;
         }
         let is_vector = ["\\vec{", "\\mathbf{", "\\boldsymbol{", "\\bm{"].iter().any(|mark| shown.starts_with(mark));

@@ -67,7 +67,7 @@ pub(in crate::check::mark) fn best(
     };
     let quick = Run { options: Options { points: POINTS, explain: false, ..run.options }, ..*run };
     let mut best = declared.clone();
-    let ways = all_ways(problem, (&lines, &macros), &used, &declared);
+    let (by_form, ways) = all_ways(problem, (&lines, &macros), &used, &declared);
     if !ways.is_empty() {
         let names: Vec<Vec<Usage>> =
             lines.iter().map(|line| all_usages(notes, std::slice::from_ref(line), &macros)).collect();
@@ -75,7 +75,8 @@ pub(in crate::check::mark) fn best(
         let first = Rival { score: i64::MIN, known: vec![None; lines.len()], reached: Vec::new(), results };
         let own = judge_quickly(&quick, &world(&declared, &quick)?, &first)?;
         let (mut score, mut is_whole) = (own.score(), self::is_whole(&own));
-        let mut tried = vec![(declared, own)];
+        let mut most_false = own.lines.iter().filter(|line| line.mark == Mark::Wrong).count();
+        let mut tried = vec![(declared.clone(), own)];
         for way in ways {
             if is_whole {
                 break;
@@ -86,7 +87,11 @@ pub(in crate::check::mark) fn best(
             }
             let judged = world(&way, &quick).and_then(|world| judge_quickly(&quick, &world, &rival));
             let Ok(judged) = judged else { continue };
-            if judged.is_complete() && judged.score() > score {
+            // A guess that makes more lines false than the letters before is no better for other lines that it makes true.
+            let is_false = |judged: &Judged| judged.lines.iter().filter(|line| line.mark == Mark::Wrong).count();
+            let is_sound = is_false(&judged) <= most_false || is_likely(&way, &declared) || by_form.contains(&way);
+            if judged.is_complete() && judged.score() > score && is_sound {
+                most_false = most_false.max(is_false(&judged));
                 is_whole = self::is_whole(&judged);
                 (score, best) = (judged.score(), way.clone());
             }
@@ -224,21 +229,22 @@ fn is_rate(name: &Name, used: &[Usage], known: &Names, declared: &Letters) -> bo
     known.names.iter().any(|(known, role, _)| known == other && varies(role))
 }
 
-/// All ways that are tried: those in which a line is one of the problem, each by itself and with the likeliest other
+/// The ways in which a line is one of the problem; and all ways that are tried: these, each by itself and with the likeliest other
 /// letters, and then the others.
 fn all_ways(
     problem: &Problem,
     (lines, macros): (&[Written], &Macros),
     used: &[Usage],
     declared: &Letters,
-) -> Vec<Letters> {
+) -> (Vec<Letters>, Vec<Letters>) {
     let known = &problem.names;
     let is_own = |name: &Name| used.iter().any(|usage| usage.name == *name && is_own(usage, used, known, declared));
     let is_free = |name: &Name| used.iter().all(|usage| usage.name != *name);
-    let mut all: Vec<Letters> = Vec::new();
+    let (mut by_form, mut all): (Vec<Letters>, Vec<Letters>) = Default::default();
     for table in matching::tables(problem, (lines, macros), is_own, is_free) {
         let table: Letters = declared.clone().into_iter().chain(table).collect();
         let others = ways(used, known, &table);
+        by_form.push(table.clone());
         all.push(table);
         all.extend(others.into_iter().take(WAYS_BESIDE));
     }
@@ -246,7 +252,13 @@ fn all_ways(
     let new: Vec<Letters> = others.into_iter().filter(|way| !all.contains(way)).collect();
     all.extend(new);
     all.truncate(WAYS);
-    all
+    (by_form, all)
+}
+
+/// Whether each letter stands for the same letter in another form, as M for m.
+fn is_likely(way: &Letters, declared: &Letters) -> bool {
+    let mut new = way.iter().filter(|(own, _)| !declared.contains_key(own));
+    new.all(|(own, other)| other.dots == 0 && alike(own, &other.name))
 }
 
 /// The most ways that are tried beside a line that is one of the problem.
@@ -325,6 +337,10 @@ fn options(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> 
         }
         // A letter that stands for another quantity leaves its own meaning to others.
         if is_used(name) && !declared.contains_key(name) || is_taken(name) || !fits(name, *role) {
+            continue;
+        }
+        // A letter with the subscript 0 is a value of something, which does not change.
+        if usage.name.subscript == ["0"] && !known.fixed.contains(name) {
             continue;
         }
         let cost = match () {
