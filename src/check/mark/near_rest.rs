@@ -131,6 +131,9 @@ pub(super) fn of_the_frequency(checker: &Checker<'_>, world: &World<'_>, reading
 /// The rate for which a name such as x'' stands.
 fn rate_by_name(checker: &Checker<'_>, node: &Node) -> Option<Expr> {
     let Node::Symbol { id, dots: 0, .. } = node else { return None };
+    if checker.model.symbols.entry(*id).name.primes == 0 {
+        return None;
+    }
     match checker.model.meaning(*id) {
         Some(Meaning::Defined(formula)) if matches!(formula.node, Node::Symbol { dots: 1.., .. }) => {
             Some(formula.as_ref().clone())

@@ -282,6 +282,11 @@ impl<'p> World<'p> {
         single_letters::as_written(&renamed(latex, &Macros::default(), &self.back).text)
     }
 
+    /// Whether a name of the hand-in was taken for a rate.
+    pub fn stands_for_a_rate(&self, name: &Name) -> bool {
+        self.rates.contains(name)
+    }
+
     /// The display of the `at`-th line.
     pub fn display(&self, at: usize) -> &Display {
         &self.notes.equations[self.first + at]

@@ -251,6 +251,9 @@ impl Judge<'_, '_> {
                 Along::Open => (Status::Given(Verdict::Assumed, OTHER_START), String::new()),
             };
         }
+        if matches!(own, Status::Holds(_)) && self.names_a_rate(reading) {
+            return (Status::Given(Verdict::Definition, "introduces a name"), String::new());
+        }
         if !matches!(own, Status::False(_) | Status::Open(..)) {
             return (own, String::new());
         }
