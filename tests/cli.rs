@@ -29,6 +29,8 @@ mod mark_letters;
 mod mark_motion;
 #[path = "cli/mark_numbers.rs"]
 mod mark_numbers;
+#[path = "cli/mark_starts.rs"]
+mod mark_starts;
 #[path = "cli/mark_states.rs"]
 mod mark_states;
 #[path = "cli/mark_steps.rs"]

@@ -10,6 +10,7 @@
 //! make the author sort the notes. So what cannot be read for lack of a name is read again when more names are
 //! known, until nothing changes. A name that the claims file defines is never taken by an earlier display.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use crate::formula::symbols::Name;
@@ -66,13 +67,13 @@ pub(crate) fn read_all(
     };
     pending.define_what_is_ready(model);
     let prose = Prose::of(notes);
+    // What was added gives no name that the notes give, not even for a special case.
+    let own = 0..notes.added_from.unwrap_or(readings.len());
+    let added = own.end..readings.len();
     loop {
-        let mut read_some = |of_a_case: bool, model: &mut Model| {
+        let mut read_some = |range: &Range<usize>, of_a_case: bool, model: &mut Model| {
             let mut progress = false;
-            for at in (0..readings.len()).filter(|at| is_of_a_case(assigned[*at]) == of_a_case) {
-                if progress && notes.added_from == Some(at) {
-                    break;
-                }
+            for at in range.clone().filter(|at| is_of_a_case(assigned[*at]) == of_a_case) {
                 if readings[at].is_none() {
                     readings[at] = pending.read(&texts[at], assigned[at], model);
                     if readings[at].is_some() {
@@ -83,7 +84,7 @@ pub(crate) fn read_all(
             }
             progress
         };
-        while read_some(false, model) || read_some(true, model) {}
+        while read_some(&own, false, model) || read_some(&own, true, model) || read_some(&added, false, model) {}
         // A display with a fault of its own still defines the names that can be read in it.
         let unread: Vec<(usize, Symbols, Reading)> = (0..readings.len())
             .filter(|at| readings[*at].is_none())

@@ -201,11 +201,11 @@ impl Checker<'_> {
         named.map_or_else(|| is_one(latex), |(_, all)| all.iter().any(is_one))
     }
 
-    /// The text of a hypothesis without the (0) after coordinates and their rates, which is said of the time 0; `None`, if it has none.
+    /// The text of a hypothesis without the (0) after what moves and its rates, which is said of the time 0; `None`, if it has none.
     pub(crate) fn without_start(&self, latex: &str) -> Option<String> {
         let mut text = latex.to_owned();
-        for coordinate in &self.model.coordinates {
-            let name = self.model.name(coordinate.symbol);
+        let moving = self.model.coordinates.iter().map(|q| q.symbol).chain(self.model.varying.iter().map(|q| q.symbol));
+        for name in moving.map(|id| self.model.name(id)) {
             for applied in [format!("{name}(0)"), format!("{{{name}}}(0)")] {
                 while let Some(at) = text.find(&applied) {
                     let before = text[..at].chars().next_back();

@@ -45,6 +45,9 @@ pub(crate) fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
                 _ => "the two sides differ along the motion that starts like this; below are their derivatives at the start"
                     .to_owned(),
             };
+            if !context.options.explain {
+                return Ok(context.finding(Code::SidesDiffer, Verdict::Refuted, message));
+            }
             let shown = identity::check(&link, &context.quick())?;
             return Ok(match shown.verdict {
                 Verdict::Refuted => Finding { message, ..shown },

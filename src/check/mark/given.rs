@@ -251,7 +251,7 @@ impl Implied {
             let difference = pair[0].clone().minus(pair[1].clone());
             let symbols = difference.symbols();
             let mut free = symbols.iter().filter(|(id, _)| is_free(*id));
-            free.find_map(|(id, dots)| solved(checker, &difference, (*id, *dots)))
+            free.find_map(|(id, dots)| solved(checker, &difference, (*id, *dots)).or_else(|| below(pair, (*id, *dots))))
         })
     }
 
@@ -278,6 +278,18 @@ impl Implied {
         }
         reading
     }
+}
+
+/// The value of a symbol that is all of a denominator: `\frac{F}{N} = \mu`.
+fn below(pair: &[Expr], (id, dots): (SymbolId, u8)) -> Option<Implied> {
+    let of = |side: &Expr, other: &Expr| {
+        let Node::Quotient(above, under) = &side.node else { return None };
+        let has = |formula: &Expr| formula.symbols().iter().any(|(found, _)| *found == id);
+        let is_it = under.as_plain_symbol() == Some(id) && dots == 0 && !has(above) && !has(other);
+        let value = Node::Quotient(above.clone(), Box::new(other.clone()));
+        is_it.then(|| Implied { id, dots, value: Expr::new(value, side.span) })
+    };
+    of(&pair[0], &pair[1]).or_else(|| of(&pair[1], &pair[0]))
 }
 
 /// The value of a symbol, or of its rate, for which a formula that is linear in it vanishes.

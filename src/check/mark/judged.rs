@@ -3,6 +3,7 @@
 use crate::notes::claims::Lost;
 
 use super::marked::{Line, Mark};
+use crate::check::verdict::Verdict;
 
 /// A line that reaches a result.
 #[derive(Clone, Debug)]
@@ -24,8 +25,18 @@ pub(super) struct Judged {
 impl Judged {
     /// How well the hand-in fits the problem: what holds and is reached, less what is false or cannot be read.
     pub fn score(&self) -> i64 {
-        let reached = self.found.iter().flatten().filter(|found| found.is_right).count();
-        worth(&self.lines).0 + RESULT * count(reached)
+        let marks: Vec<Mark> = self.lines.iter().map(|line| line.mark).collect();
+        worth(&marks) + RESULT * count(self.reached())
+    }
+
+    /// Whether all lines were judged, and the results were sought.
+    pub fn is_complete(&self) -> bool {
+        !self.found.is_empty()
+    }
+
+    /// The number of results that are reached.
+    pub fn reached(&self) -> usize {
+        self.found.iter().flatten().filter(|found| found.is_right).count()
     }
 }
 
@@ -34,19 +45,44 @@ const RIGHT: i64 = 4;
 const RIGHT_AFTER: i64 = 2;
 const RESULT: i64 = 8;
 
-/// The most that the score of a hand-in can become, of which these lines are judged and others are left, with so many results.
-pub(super) fn at_most(lines: &[Line], left: usize, results: usize) -> i64 {
-    let (sum, is_after) = worth(lines);
-    sum + count(left) * if is_after { RIGHT_AFTER } else { RIGHT } + RESULT * count(results)
+/// What is known before a hand-in is judged with other letters, from those with which it was judged before.
+pub(super) struct Rival {
+    /// The score that must be beaten.
+    pub score: i64,
+    /// The mark of each line that is the same with letters that were tried.
+    pub known: Vec<Option<Mark>>,
+    /// For letters that were tried: how many results were reached, and the lines that are not the same with them.
+    pub reached: Vec<(usize, Vec<bool>)>,
+    /// The number of results.
+    pub results: usize,
 }
 
-/// What lines add to the score, and whether one is false. After the first false line a false line may be carried on, and says
+impl Rival {
+    /// Whether the score may still be beaten, of which so many lines are judged.
+    pub fn may_be_beaten(&self, judged: &[Line]) -> bool {
+        // A new condition may make any line after it true.
+        let is_condition = |(at, line): (usize, &Line)| {
+            self.known[at].is_none() && line.mark == Mark::Given && line.verdict == Some(Verdict::Assumed)
+        };
+        let is_open = judged.iter().enumerate().any(is_condition);
+        let left = self.known.iter().skip(judged.len()).map(|known| known.filter(|_| !is_open).unwrap_or(Mark::Right));
+        let marks: Vec<Mark> = judged.iter().map(|line| line.mark).chain(left).collect();
+        // Only a line that is not the same reaches a result that no line has reached.
+        let reached = |(reached, is_changed): &(usize, Vec<bool>)| {
+            reached + (0..marks.len()).filter(|at| (is_open || is_changed[*at]) && marks[*at] == Mark::Right).count()
+        };
+        let reached = self.reached.iter().map(reached).min().unwrap_or(self.results).min(self.results);
+        worth(&marks) + RESULT * count(reached) > self.score
+    }
+}
+
+/// What lines add to the score. After the first false line a false line may be carried on, and says
 /// little; so does a true one, which may follow from it.
-fn worth(lines: &[Line]) -> (i64, bool) {
+fn worth(marks: &[Mark]) -> i64 {
     let mut is_after = false;
     let mut sum = 0;
-    for line in lines {
-        sum += match line.mark {
+    for mark in marks {
+        sum += match mark {
             Mark::Right if is_after => RIGHT_AFTER,
             Mark::Right => RIGHT,
             Mark::Carried => 2,
@@ -55,9 +91,9 @@ fn worth(lines: &[Line]) -> (i64, bool) {
             Mark::Unread | Mark::Open => -2,
             Mark::Given => 0,
         };
-        is_after |= line.mark == Mark::Wrong;
+        is_after |= *mark == Mark::Wrong;
     }
-    (sum, is_after)
+    sum
 }
 
 fn count(number: usize) -> i64 {

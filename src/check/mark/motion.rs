@@ -35,6 +35,8 @@ pub(super) struct Motion {
     chosen: Vec<SymbolId>,
     /// The model in which they define the coordinates, and no law is needed.
     model: Model,
+    /// The coordinates and velocities at the start, where a claim of the problem gives them.
+    starts: Vec<(SymbolId, u8, Expr)>,
 }
 
 /// What a line is along the motion.
@@ -69,8 +71,14 @@ impl Motion {
             solutions.clear();
         }
         let is_chosen = |known: &&Solution| !constants_of_integration(known, checker.model).is_empty();
-        let chosen = solutions.iter().filter(is_chosen).map(|known| known.coordinate).collect();
-        Motion { solutions, chosen, model }
+        let starts = starts(checker, &world.problem.contexts);
+        // Where a claim gives the values at the start, no constant is left to choose.
+        let is_given = |known: &&Solution| {
+            (0..known.order).all(|dots| starts.iter().any(|(id, order, _)| *id == known.coordinate && *order == dots))
+        };
+        let is_open = |known: &&Solution| is_chosen(known) && !is_given(known);
+        let chosen = solutions.iter().filter(is_open).map(|known| known.coordinate).collect();
+        Motion { solutions, chosen, model, starts }
     }
 
     /// Whether a line prints a function of the time for a coordinate of the motion, in nothing but constants of the problem.
@@ -130,7 +138,7 @@ impl Motion {
         let mut solutions = self.solutions.clone();
         solutions.retain(|known| known.coordinate != own.coordinate);
         solutions.push(own);
-        Some(Motion { solutions, chosen: self.chosen.clone(), model })
+        Some(Motion { solutions, chosen: self.chosen.clone(), model, starts: self.starts.clone() })
     }
 
     /// Whether a line prints a solution of the laws for a coordinate, or for what is one but for a constant, with constants
@@ -216,6 +224,9 @@ impl Motion {
         let is_time = |id: &SymbolId| matches!(checker.model.meaning(*id), Some(Meaning::Time));
         let time = checker.model.symbols.iter().map(|(id, _)| id).find(is_time)?;
         let mut start = reading.clone();
+        if self.solutions.is_empty() {
+            return self.with_starts(reading, time);
+        }
         let known: Vec<SymbolId> = self.solutions.iter().map(|known| known.coordinate).collect();
         let mut is_any = false;
         for member in start.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
@@ -228,6 +239,23 @@ impl Motion {
             *member = at(&value, time, &Expr::integer(0, member.span));
         }
         is_any.then_some(start)
+    }
+
+    /// What a line says of the coordinates and velocities that a claim gives at the start; `None`, if it says something of others.
+    fn with_starts(&self, reading: &Reading, time: SymbolId) -> Option<Reading> {
+        let mut start = reading.clone();
+        let moving: Vec<SymbolId> = self.starts.iter().map(|(id, ..)| *id).collect();
+        for member in start.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+            member.substitute(&|node| {
+                let Node::Symbol { id, dots, .. } = node else { return None };
+                let value = self.starts.iter().find(|(known, order, _)| known == id && order == dots);
+                value.map(|(.., value)| value.clone())
+            });
+            *member = at(member, time, &Expr::integer(0, member.span));
+        }
+        let members = || start.statements.iter().flatten().flat_map(|statement| &statement.members);
+        let is_given = !moving.is_empty() && !members().any(|member| self.model.depends_on(member, &moving));
+        is_given.then_some(start)
     }
 
     /// The time and the coordinates.
@@ -390,4 +418,15 @@ fn context<'c>(checker: &Checker<'_>, model: &'c Model, at: usize, topic: &'c st
         spread: Spread::Declared,
         local: &[],
     }
+}
+
+/// The coordinates and velocities that claims give at the start, `x(0) = x_0`.
+fn starts(checker: &Checker<'_>, claims: &[Claim]) -> Vec<(SymbolId, u8, Expr)> {
+    let texts = claims.iter().flat_map(|claim| &claim.assume).filter_map(|text| checker.without_start(&text.value));
+    let readings = texts.map(|text| checker.as_printed(&text, &Claim::default(), &checker.model.macros));
+    let given = |statement: Statement| match statement.members.as_slice() {
+        [Expr { node: Node::Symbol { id, dots, .. }, .. }, value] => Some((*id, *dots, value.clone())),
+        _ => None,
+    };
+    readings.flat_map(|reading| reading.statements.into_iter().flatten()).filter_map(given).collect()
 }

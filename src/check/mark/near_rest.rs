@@ -2,7 +2,7 @@
 //! the small deviation θ − θ_0. A line may say what ε is, or only the words beside it.
 
 use crate::formula::derivative::{Scope, rate};
-use crate::formula::{Expr, Node, SymbolId};
+use crate::formula::{Expr, Node, Relation, SymbolId};
 use crate::latex::Reading;
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
@@ -10,6 +10,7 @@ use crate::source::Span;
 use crate::check::document::checker::Checker;
 use crate::check::model::meaning::Meaning;
 
+use super::carried::numbers;
 use super::given;
 use super::special::Special;
 use super::status::{Status, approximate, status};
@@ -65,7 +66,6 @@ pub(super) fn about_places(
     };
     let places = special.places().iter().filter_map(|(of, place)| Some((find(of)?, find(place)?)));
     let deviation = |(of, place): (SymbolId, SymbolId)| {
-        let symbol = |id| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
         let value = symbol(of).minus(symbol(place));
         let mut reading = reading.clone();
         for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
@@ -80,6 +80,70 @@ pub(super) fn about_places(
         written_out(&reading)
     };
     places.map(deviation).collect()
+}
+
+/// What a linear equation of motion of a small deviation says of the frequency: with −ω²δ for δ̈, and 1 for δ. The deviation is a name
+/// that only the hand-in has. `None`, where the line is no such equation, or the problem asks for no frequency.
+pub(super) fn of_the_frequency(checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> Option<Reading> {
+    let model = checker.model;
+    let [omega] = world.problem.special.frequencies() else { return None };
+    let (omega, _) = model.symbols.find(omega)?;
+    let mut reading = reading.clone();
+    for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+        member.substitute(&|node| rate_by_name(checker, node));
+    }
+    let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+    let is_own = |id: SymbolId| world.problem.names.symbols.find(&model.symbols.entry(id).name).is_none();
+    let (deviation, _) = members().flat_map(Expr::symbols).find(|(id, dots)| *dots == 2 && is_own(*id))?;
+    if members().flat_map(Expr::symbols).any(|(id, dots)| dots == 1 || dots > 0 && id != deviation) {
+        return None;
+    }
+    let span = Span::default();
+    let square = Expr::new(Node::Power(Box::new(symbol(omega)), Box::new(Expr::integer(2, span))), span);
+    let with = |member: &Expr, size: u32| {
+        let mut member = member.clone();
+        let moved = Expr::new(Node::Product(vec![Expr::integer(size, span), square.clone()]), span).negated();
+        member.substitute(&|node| match node {
+            Node::Symbol { id, dots, .. } if *id == deviation => {
+                Some(if *dots == 2 { moved.clone() } else { Expr::integer(size, span) })
+            }
+            _ => None,
+        });
+        member
+    };
+    // Twice the deviation makes each side twice as large.
+    let free = checker.without_system(false).model;
+    let is_linear = members().all(|member| {
+        let twice = Expr::new(Node::Product(vec![Expr::integer(2, span), with(member, 1)]), span);
+        let link = checker.link(&with(member, 2), Relation::Equal, &twice);
+        member.is_null()
+            || link.is_ok_and(|link| {
+                numbers::holds(checker, &free, &numbers::beside_one(checker, &link), &[]) == Some(true)
+            })
+    });
+    let mut said = reading.clone();
+    for member in said.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+        *member = with(member, 1);
+    }
+    is_linear.then_some(said)
+}
+
+/// The rate for which a name such as x'' stands.
+fn rate_by_name(checker: &Checker<'_>, node: &Node) -> Option<Expr> {
+    let Node::Symbol { id, dots: 0, .. } = node else { return None };
+    if checker.model.symbols.entry(*id).name.primes == 0 {
+        return None;
+    }
+    match checker.model.meaning(*id) {
+        Some(Meaning::Defined(formula)) if matches!(formula.node, Node::Symbol { dots: 1.., .. }) => {
+            Some(formula.as_ref().clone())
+        }
+        _ => None,
+    }
+}
+
+fn symbol(id: SymbolId) -> Expr {
+    Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default())
 }
 
 /// Takes the rates in a formula, as far as they are known: the second one of θ − θ_0 is that of θ.

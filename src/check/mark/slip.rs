@@ -8,6 +8,7 @@ use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::document::setup::Run;
+use crate::check::model::claim::Hypothesis;
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome;
@@ -131,10 +132,15 @@ fn is_trivial(reading: &Reading) -> bool {
 
 /// Whether the equalities of a reading hold at a few states.
 pub(super) fn fits(checker: &Checker<'_>, reading: &Reading) -> bool {
+    fits_under(checker, reading, &[])
+}
+
+/// The same at states that obey hypotheses.
+pub(super) fn fits_under(checker: &Checker<'_>, reading: &Reading, hypotheses: &[Hypothesis]) -> bool {
     let context = Context {
         model: checker.model,
         options: checker.options,
-        hypotheses: &[],
+        hypotheses,
         on_shell: None,
         topic: "a corrected line",
         span: Span::default(),

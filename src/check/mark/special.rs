@@ -31,12 +31,16 @@ pub(super) struct Special {
     places: Vec<(Name, Name)>,
     /// Values that a coordinate keeps while others move, as the radius of a circle.
     steady: Vec<(Name, Name)>,
+    /// Values that a velocity keeps beside them, as the angular velocity on a circle.
+    turning: Vec<(Name, Name)>,
     /// What makes them places of rest, as LaTeX.
     conditions_of_rest: Vec<String>,
     /// Whether the problem asks for small oscillations.
     has_modes: bool,
     /// Whether it asks for small oscillations about a place that has a name.
     has_modes_at_places: bool,
+    /// The names of these frequencies.
+    frequencies: Vec<Name>,
 }
 
 impl Special {
@@ -76,14 +80,26 @@ impl Special {
         let is_coordinate = |name: &Name| model.symbols.find(name).is_some_and(|(id, _)| is_moving(id));
         let equality = |text: &str| {
             let (of, place) = text.split_once('=')?;
-            let name = |text: &str| Some(names::parse(text.trim())?.0);
-            Some((name(of)?, name(place)?)).filter(|(of, place)| is_coordinate(of) && !is_coordinate(place))
+            let (of, dots) = names::parse(of.trim())?;
+            let (place, _) = names::parse(place.trim())?;
+            (is_coordinate(&of) && !is_coordinate(&place)).then_some((of, dots, place))
         };
         let always = claims.equations.iter().flat_map(|(_, claim)| &claim.throughout);
         let about = claims.means.iter().filter_map(|(_, meaning)| Some(meaning.value.split_once(" about ")?.1));
-        let steady = always.map(|text| text.value.as_str()).chain(about).filter_map(equality);
+        let is_frequency = |meaning: &str| meaning.starts_with("frequency of small oscillations");
+        let frequencies = claims.means.iter().filter(|(_, meaning)| is_frequency(&meaning.value));
+        let (mut steady, mut turning) = (Vec::new(), Vec::new());
+        for (of, dots, place) in always.map(|text| text.value.as_str()).chain(about).filter_map(equality) {
+            match dots {
+                0 => steady.push((of, place)),
+                1 => turning.push((of, place)),
+                _ => {}
+            }
+        }
         Special {
-            steady: steady.collect(),
+            steady,
+            turning,
+            frequencies: frequencies.filter_map(|(name, _)| parsed(name)).collect(),
             conditions_of_rest: numbers.filter_map(display).map(|display| display.text.clone()).collect(),
             has_modes_at_places: is_asked("frequency of small oscillations"),
             ways: ways.map(name).collect(),
@@ -156,9 +172,19 @@ impl Special {
         self.places.iter().chain(self.steady.iter().filter(|kept| !self.places.contains(kept)))
     }
 
+    /// Values that velocities keep, each with the coordinate.
+    pub fn turning(&self) -> &[(Name, Name)] {
+        &self.turning
+    }
+
     /// What makes them places of rest, as LaTeX.
     pub fn conditions_of_rest(&self) -> &[String] {
         &self.conditions_of_rest
+    }
+
+    /// The names of frequencies of small oscillations about a place.
+    pub fn frequencies(&self) -> &[Name] {
+        &self.frequencies
     }
 
     /// Whether the problem asks for small oscillations about a place that has a name.
@@ -251,9 +277,18 @@ pub(super) fn is_degenerate(checker: &Checker<'_>, claim: &Claim, reading: &Read
 /// about any motion. That the rate is 0 is about this one.
 fn is_at_rest(checker: &Checker<'_>, hypothesis: &Reading, reading: &Reading) -> bool {
     let [Ok(said)] = hypothesis.statements.as_slice() else { return false };
-    let fixed: Vec<SymbolId> =
-        said.members.iter().filter_map(Expr::as_plain_symbol).filter(|id| checker.model.is_coordinate(*id)).collect();
-    let has_rate = |member: &Expr| member.symbols().iter().any(|(id, dots)| *dots > 0 && fixed.contains(id));
+    let fixed: Vec<(SymbolId, u8)> = said
+        .members
+        .iter()
+        .filter_map(|member| match &member.node {
+            Node::Symbol { id, dots, .. } if checker.model.is_coordinate(*id) => Some((*id, *dots)),
+            _ => None,
+        })
+        .collect();
+    let has_rate = |member: &Expr| {
+        let mut symbols = member.symbols().into_iter();
+        symbols.any(|(id, dots)| fixed.iter().any(|(known, order)| *known == id && dots > *order))
+    };
     let is_zero = |statement: &Statement| {
         let is_lone = |member: &Expr| member.is_null() || matches!(member.node, Node::Symbol { .. });
         statement.members.iter().any(Expr::is_null) && statement.members.iter().all(is_lone)

@@ -78,6 +78,10 @@ pub(super) struct World<'p> {
     lines: Vec<(usize, Renamed)>,
     /// The letters of the problem, and those of the student that stand for them.
     back: HashMap<Name, Name>,
+    /// The names of which the hand-in writes rates with other names, as x''.
+    rated: Vec<Name>,
+    /// Those other names.
+    rates: Vec<Name>,
 }
 
 impl<'p> World<'p> {
@@ -194,6 +198,8 @@ impl<'p> World<'p> {
             instants: instants.collect(),
             lines,
             back,
+            rated: letters.values().filter(|other| other.dots > 0).map(|other| other.name.clone()).collect(),
+            rates: letters.iter().filter(|(_, other)| other.dots > 0).map(|(own, _)| own.clone()).collect(),
         };
         for name in world.instants.clone().iter().filter_map(|instant| Some(names::parse(&instant.name)?.0)) {
             world.declare(&name, &usages);
@@ -234,14 +240,14 @@ impl<'p> World<'p> {
         // The d of a differential is no name.
         let is_differential = shown == "d" && usages.iter().any(|usage| usage.name == *name && usage.precedes);
         let is_known = self.problem.names.symbols.find(name).is_some();
-        if self.declared.contains(name) || is_hat || is_known || is_differential {
+        if self.declared.contains(name) || self.rates.contains(name) || is_hat || is_known || is_differential {
             return false;
         }
         let is_vector = ["\\vec{", "\\mathbf{", "\\boldsymbol{", "\\bm{"].iter().any(|mark| shown.starts_with(mark));
         let usage = usages.iter().find(|usage| usage.name == *name);
-        let moves = usage.is_some_and(|usage| usage.moves);
+        let moves = usage.is_some_and(|usage| usage.moves) || self.rated.contains(name);
         let range = match usage {
-            Some(usage) if usage.positive && !is_vector && !usage.moves => Range::Positive,
+            Some(usage) if usage.positive && !is_vector && !moves => Range::Positive,
             Some(usage) if usage.angle && !is_vector => Range::Angle,
             _ => Range::Any,
         };
@@ -274,6 +280,11 @@ impl<'p> World<'p> {
     /// A formula with the letters of the student.
     pub fn in_own_letters(&self, latex: &str) -> String {
         single_letters::as_written(&renamed(latex, &Macros::default(), &self.back).text)
+    }
+
+    /// Whether a name of the hand-in was taken for a rate.
+    pub fn stands_for_a_rate(&self, name: &Name) -> bool {
+        self.rates.contains(name)
     }
 
     /// The display of the `at`-th line.

@@ -54,7 +54,8 @@ pub(super) fn words(text: &str) -> Vec<(Span, String)> {
             let own = WORDS.iter().find(|(word, _)| *word == &inside[..close]).map(|(_, own)| *own);
             let end = at + style.len() + close + 1;
             let before = text[..at].trim_end_matches('{');
-            let is_subscript = before.ends_with(['_', '^']) || before.ends_with(',') && before.contains("_{");
+            let is_subscript = before.ends_with(['_', '^'])
+                || before.ends_with(',') && !before.ends_with("\\,") && before.contains("_{");
             let next = text[skipped(text, end)..].trim_start();
             let has_argument =
                 !next.is_empty() && !next.starts_with(['=', '+', '-', '}', ')', ',', '.', '_', '/', '&']);
@@ -80,6 +81,7 @@ mod tests {
         assert_eq!(plain(r"\operatorname{th} (x)"), r"\tanh (x)");
         assert_eq!(plain(r"\mathrm{argth} \frac{v}{u}"), r"\operatorname{artanh} \frac{v}{u}");
         assert_eq!(plain(r"\operatorname{cotg}^2 x"), r"\cot^2 x");
+        assert_eq!(plain(r"v_{1y} = u \,\text{sen}\,\chi"), r"v_{1y} = u \,\sin\,\chi");
         // The twins: a part of a name, and a name.
         for text in [r"v_{\mathrm{th}} t", r"v_\mathrm{ch} x", r"\mathrm{th} = 1", r"v_{1,\mathrm{sh}} x"] {
             assert_eq!(plain(text), text);

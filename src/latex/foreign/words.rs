@@ -1,6 +1,7 @@
 //! Words and signs between statements, and decimal commas.
 
 #[cfg(feature = "cli")]
+use super::functions::WORDS;
 use super::units::{self, braced};
 
 /// A text of the same length, in which decimal commas are points, and words between statements are spaces.
@@ -54,6 +55,9 @@ pub fn separated(text: &str) -> String {
     while let Some(at) = at(&new, "=:") {
         new.replace_range(at..at + 2, "= ");
     }
+    if let Some(end) = label(&new) {
+        new.replace_range(..end, &" ".repeat(end));
+    }
     let colons: Vec<usize> = new.match_indices(':').map(|(at, _)| at).collect();
     for at in colons {
         if ends_a_clause(&new, at) {
@@ -104,6 +108,16 @@ fn without_accents(words: &str) -> String {
     plain.replace(['{', '}'], "")
 }
 
+/// The end of a name that says what an equation is about: `x:\quad m\ddot x = -k x`.
+#[cfg(feature = "cli")]
+fn label(text: &str) -> Option<usize> {
+    let at = text.find(':')?;
+    let (name, after) = (text[..at].trim(), text[at + 1..].trim_start());
+    let is_name = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "\\_{}".contains(c));
+    let is_apart = ["\\quad", "\\qquad", "\\;", "\\ "].iter().any(|space| after.starts_with(space));
+    (is_name && !name.starts_with(|c: char| c.is_ascii_digit()) && is_apart && after.contains('=')).then_some(at + 1)
+}
+
 /// Whether a colon ends what is said of the statement after it: `t = 0:\quad`.
 #[cfg(feature = "cli")]
 fn ends_a_clause(text: &str, at: usize) -> bool {
@@ -145,6 +159,8 @@ fn is_between_statements(text: &str, (start, end): (usize, usize), words: &str) 
     if units::words(words).is_some() && is_after_a_number() {
         return false;
     }
+    // `u \, \text{sen} \, \chi` is a sine.
+    let is_function = WORDS.iter().any(|(word, _)| words == *word);
     let known = |known: &&str| words == known.trim() || words.starts_with(*known) && (*known == "is ");
     let count = words.split_whitespace().filter(|word| word.chars().any(char::is_alphabetic)).count();
     let spaces = ["\\quad", "\\qquad", "\\,", "\\;", "\\ ", "~", "&"];
@@ -166,6 +182,7 @@ fn is_between_statements(text: &str, (start, end): (usize, usize), words: &str) 
     !words.is_empty()
         && !KNOWN.iter().any(known)
         && !is_bound
+        && !is_function
         && (count > 1 || is_apart || is_first)
         && words.chars().filter(|c| c.is_alphabetic()).count() > 2
 }

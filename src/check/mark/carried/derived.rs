@@ -9,10 +9,11 @@ use crate::formula::{Expr, Node, Statement, SymbolId};
 use crate::latex::{Reading, names};
 use crate::notes::Display;
 use crate::notes::claims::Claim;
+use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::mark::given::solved_for;
-use crate::check::mark::motion::Motion;
+use crate::check::mark::motion::{Motion, written_out};
 use crate::check::mark::names::moving;
 use crate::check::mark::special::Special;
 use crate::check::model::meaning::Meaning;
@@ -251,8 +252,32 @@ fn is_instant(checker: &Checker<'_>, id: SymbolId) -> bool {
 pub(super) fn on_a_circle(checker: &Checker<'_>, wrong: &Reading, special: &Special) -> Vec<Reading> {
     let find = |name: &Name| Some(checker.model.symbols.find(name)?.0);
     let kept = special.kept().filter_map(|(of, place)| Some((find(of)?, find(place)?)));
+    let kept: Vec<(SymbolId, SymbolId)> = kept.collect();
+    let turning = special.turning().iter().filter_map(|(of, rate)| Some((find(of)?, find(rate)?)));
+    let turning: Vec<(SymbolId, SymbolId)> = turning.collect();
     let has_rate = |of: SymbolId| symbols(wrong).iter().any(|(id, dots)| *id == of && *dots > 0);
-    kept.filter(|(of, _)| has_rate(*of))
+    let symbol = |id| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
+    // With the rates that the others keep there, also in what is defined by them: ℓ = m r_0²Ω.
+    let turns = |node: &Node| {
+        let Node::Symbol { id, dots, .. } = node else { return None };
+        let place = kept.iter().find(|(of, _)| of == id).map(|(_, place)| *place);
+        let rate = turning.iter().find(|(of, _)| of == id).map(|(_, rate)| *rate);
+        match (place, rate, dots) {
+            (Some(place), _, 0) => Some(symbol(place)),
+            (_, Some(rate), 1) => Some(symbol(rate)),
+            (Some(_), ..) | (_, Some(_), 2..) => Some(Expr::integer(0, Span::default())),
+            _ => None,
+        }
+    };
+    let mut whole = wrong.clone();
+    for member in whole.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+        *member = written_out(checker, member.clone());
+        member.substitute(&turns);
+    }
+    let is_turning = !turning.is_empty() && kept.iter().any(|(of, _)| has_rate(*of));
+    kept.iter()
+        .copied()
+        .filter(|(of, _)| has_rate(*of))
         .map(|(of, place)| {
             replaced(wrong, &|node| match node {
                 Node::Symbol { id, dots: 0, indices } if *id == of => {
@@ -262,6 +287,7 @@ pub(super) fn on_a_circle(checker: &Checker<'_>, wrong: &Reading, special: &Spec
                 _ => None,
             })
         })
+        .chain(is_turning.then_some(whole))
         .collect()
 }
 

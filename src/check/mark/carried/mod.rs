@@ -103,7 +103,7 @@ fn follows(checker: &Checker<'_>, from: usize, before: &Before<'_>, own: &Readin
         return true;
     }
     let sets = step.sets();
-    sets.iter().chain(&step.with_the_value()).any(|set| step.holds(&step.model, set))
+    sets.iter().chain(&step.with_the_value()).chain(&step.beside_another()).any(|set| step.holds(&step.model, set))
         || step.is_first_integral(&sets[0])
         || freed::follows(&step, sets)
 }

@@ -1,7 +1,7 @@
 //! A line beside the false line from which it may follow: what the false line says in other words, and what may be supposed with it.
 
 use crate::formula::calculus::places::at;
-use crate::formula::{Expr, Node, Relation, SymbolId};
+use crate::formula::{Expr, Node, Relation, Sign, SymbolId};
 use crate::latex::Reading;
 
 use crate::check::document::checker::Checker;
@@ -129,6 +129,11 @@ impl<'s, 'c> Step<'s, 'c> {
         said.iter().filter_map(|said| links(self.checker, said)).map(|one| premises(&one)).collect()
     }
 
+    /// The false line with each other false one: a force follows from a false acceleration and a false velocity.
+    pub fn beside_another(&self) -> Vec<Vec<Hypothesis>> {
+        self.others.iter().map(|one| premises(self.wrong.iter().chain(one))).collect()
+    }
+
     /// Whether the line holds wherever a set does, and not everything does there.
     pub fn holds(&self, model: &Model, set: &[Hypothesis]) -> bool {
         let checker = self.checker;
@@ -159,7 +164,7 @@ impl<'s, 'c> Step<'s, 'c> {
             })
         };
         let follows = |link: &Link| {
-            let Some(rate) = rate(checker, link) else { return false };
+            let Some(rate) = rate(checker, &split(checker, model, link)) else { return false };
             holds(checker, model, &beside_one(checker, &rate), wrong) == Some(true)
                 && twice(checker, &rate).is_none_or(|twice| holds(checker, model, &twice, wrong) == Some(false))
         };
@@ -188,4 +193,18 @@ fn consequences(checker: &Checker<'_>, from: usize, own: &Reading, before: &Befo
     found.extend(before.motion.at_start(checker, wrong).filter(|_| !is_function));
     found.extend(derived::at_instants_of_the_problem(checker, wrong, of_problem));
     found
+}
+
+/// A link with its last term on the other side, where that does not move: the rate of `T - U = -U_0` is 0 on the right, where no factor
+/// could be seen to be wrong.
+fn split(checker: &Checker<'_>, model: &Model, link: &Link) -> Link {
+    let moves = |side: &Expr| model.depends_on(side, &moving(checker.model));
+    let (whole, rest) = if moves(&link.rhs) { (&link.rhs, &link.lhs) } else { (&link.lhs, &link.rhs) };
+    let Node::Sum(terms) = &whole.node else { return link.clone() };
+    let Some((last, others)) = terms.split_last().filter(|(_, others)| !others.is_empty() && !moves(rest)) else {
+        return link.clone();
+    };
+    let term = if last.sign == Sign::Plus { last.expr.clone() } else { last.expr.clone().negated() };
+    let others = Expr::new(Node::Sum(others.to_vec()), whole.span);
+    checker.link(&others, Relation::Equal, &rest.clone().minus(term)).unwrap_or_else(|_| link.clone())
 }

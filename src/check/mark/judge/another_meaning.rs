@@ -26,6 +26,28 @@ impl Judge<'_, '_> {
         self.world.declared.contains(&symbols.entry(id).name)
     }
 
+    /// Whether a line says of a letter only that it is the rate for which it was taken, `v = \dot x`, and no line before it uses the
+    /// letter.
+    pub(super) fn names_a_rate(&self, reading: &Reading) -> bool {
+        let model = self.quiet.model;
+        let is_it = |name: &Expr, value: &Expr| {
+            let Some(id) = name.as_plain_symbol() else { return false };
+            let is_definition = matches!(model.meaning(id), Some(Meaning::Defined(formula)) if **formula == *value);
+            let first = self.world.first;
+            let mut before = self.quiet.readings[first..first + self.lines.len()].iter();
+            let is_first = !before.any(|reading| {
+                let mut members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+                members.any(|member| member.symbols().iter().any(|(used, _)| *used == id))
+            });
+            is_definition && is_first && self.world.stands_for_a_rate(&model.symbols.entry(id).name)
+        };
+        let is_no_more = |statement: &Statement| match statement.members.as_slice() {
+            [first, second] => is_it(first, second) || is_it(second, first),
+            _ => false,
+        };
+        !reading.statements.is_empty() && reading.statements.iter().flatten().all(is_no_more)
+    }
+
     /// What a line says that quantities of the student's own are, with the first of them, if it says no more; `None`, if it does.
     pub(super) fn given_by(&self, display: usize, reading: &Reading, implied: Implied) -> Option<Vec<Implied>> {
         let is_short = reading.statements.iter().flatten().all(|statement| statement.members.len() == 2);

@@ -5,6 +5,7 @@ use crate::latex::Reading;
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
 
+use crate::check::document::checker::Checker;
 use crate::check::mark::carried::numbers;
 use crate::check::mark::given::{self, Implied};
 use crate::check::mark::marked::{Line, Mark};
@@ -97,6 +98,24 @@ impl Judge<'_, '_> {
         // Where the initial values are known, they do not make it true.
         let fails = || self.along(self.quiet, display, reading, &Claim::default()) == Along::False;
         !equalities.is_empty() && !fails() && equalities.iter().all(|(equality, rate)| stays(rate) || holds(equality))
+    }
+
+    /// Whether a line gives a velocity as a root, of which the problem knows the square, and holds where the velocity is positive.
+    pub(super) fn holds_where_it_grows(&self, checker: &Checker<'_>, display: usize, reading: &Reading) -> bool {
+        let [Ok(statement)] = reading.statements.as_slice() else { return false };
+        let [Expr { node: Node::Symbol { id, dots: 1, .. }, .. }, others @ ..] = statement.members.as_slice() else {
+            return false;
+        };
+        let is_root = |member: &Expr| matches!(member.node, Node::Root(..));
+        if !checker.model.is_coordinate(*id) || !others.iter().any(is_root) {
+            return false;
+        }
+        let positive = Spanned::new(format!("\\dot{{{}}} > 0", checker.model.name(*id)), Span::default());
+        let supposed = self.world.problem.contexts.iter().filter(|claim| !claim.assume.is_empty());
+        supposed.filter(|claim| !checker.starts(claim)).any(|claim| {
+            let assume = claim.assume.iter().cloned().chain([positive.clone()]).collect();
+            self.holds_under(checker, display, reading, &Claim { assume, ..claim.clone() })
+        })
     }
 
     /// Whether a line with two signs holds with one of them.

@@ -4,6 +4,7 @@
 use crate::Result;
 use crate::formula::{Expr, Statement, SymbolId};
 use crate::latex::Reading;
+use crate::notes::claims::{Claim, Spanned};
 
 use crate::check::document::checker::Checker;
 use crate::check::mark::carried::{Before, energies, origin};
@@ -67,6 +68,10 @@ impl Judge<'_, '_> {
             return Some((Mark::Given, Verdict::Law, "a law that the problem gives".to_owned()));
         }
         let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
+        if written.continues.is_none() && statements.iter().all(|statement| self.is_supposed_in_the_problem(statement))
+        {
+            return Some(given("a condition of the problem"));
+        }
         let is_said = written.is_supposed || written.inline;
         let is_condition = |statement: &&Statement| given::may_be(self.quiet, statement, &self.wanted, is_said);
         let is_last = at + 1 == self.world.written.len();
@@ -110,6 +115,20 @@ impl Judge<'_, '_> {
             return Some(given("a value at an instant, which the problem leaves open"));
         }
         None
+    }
+
+    /// Whether a result of the problem holds under what a statement says, as the angle at which a rod leaves a wall does where the
+    /// force vanishes.
+    fn is_supposed_in_the_problem(&self, statement: &Statement) -> bool {
+        let texts = self.world.problem.contexts.iter().flat_map(|claim| claim.assume.iter().chain(&claim.throughout));
+        let macros = &self.quiet.model.macros;
+        let read = |text: &Spanned<String>| self.quiet.as_printed(&text.value, &Claim::default(), macros);
+        let is_it = |known: &Statement| {
+            let same = |a: &[Expr], b: &[Expr]| a == b || a.iter().eq(b.iter().rev());
+            let relations = |of: &Statement| of.relations.iter().map(|(relation, _)| *relation).collect::<Vec<_>>();
+            same(&known.members, &statement.members) && relations(known) == relations(statement)
+        };
+        statement.members.len() == 2 && texts.map(read).any(|reading| reading.statements.iter().flatten().any(is_it))
     }
 
     fn add_condition(&mut self, at: usize) {

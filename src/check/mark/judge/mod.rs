@@ -15,7 +15,7 @@ use crate::check::verdict::finding::Finding;
 
 use super::carried::energies;
 use super::given::Implied;
-use super::judged::{self, Judged};
+use super::judged::{Judged, Rival};
 use super::marked::{Line, Mark};
 use super::motion::{Along, Motion};
 use super::near_rest;
@@ -42,19 +42,18 @@ use readings::{Break, free_of, with_dots};
 /// # Errors
 /// When the problem cannot be applied to the hand-in.
 pub(super) fn judge(run: &Run<'_>, world: &World<'_>) -> Result<Judged> {
-    let nothing = || Judged { lines: Vec::new(), found: Vec::new() };
-    Ok(judged(run, world, (true, None))?.unwrap_or_else(nothing))
+    judged(run, world, (true, None))
 }
 
-/// Judges the lines of a hand-in by numbers alone; `None`, once its score cannot be more than `best`.
+/// Judges the lines of a hand-in by numbers alone, until it cannot have a better score than `rival`.
 ///
 /// # Errors
 /// As [`judge`].
-pub(super) fn judge_quickly(run: &Run<'_>, world: &World<'_>, best: Option<i64>) -> Result<Option<Judged>> {
-    judged(run, world, (false, best))
+pub(super) fn judge_quickly(run: &Run<'_>, world: &World<'_>, rival: &Rival) -> Result<Judged> {
+    judged(run, world, (false, Some(rival)))
 }
 
-fn judged(run: &Run<'_>, world: &World<'_>, (details, best): (bool, Option<i64>)) -> Result<Option<Judged>> {
+fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Rival>)) -> Result<Judged> {
     world.checked(run, |checker| {
         let first = world.first;
         let readings: Vec<Reading> = checker.readings.iter().cloned().map(with_dots).collect();
@@ -87,9 +86,8 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, best): (bool, Option<i64>)
         };
         for at in 0..world.written.len() {
             judge.line(at)?;
-            let left = world.written.len() - at - 1;
-            if best.is_some_and(|best| judged::at_most(&judge.lines, left, world.problem.wanted.len()) <= best) {
-                return Ok(None);
+            if rival.is_some_and(|rival| !rival.may_be_beaten(&judge.lines)) {
+                return Ok(Judged { lines: judge.lines, found: Vec::new() });
             }
         }
         let (mut lines, premises) = (judge.lines, judge.premises);
@@ -105,7 +103,7 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, best): (bool, Option<i64>)
             }
         }
         let found = results::found(&quiet, world, &mut lines, (&premises, details.then_some(&corrected)))?;
-        Ok(Some(Judged { lines, found }))
+        Ok(Judged { lines, found })
     })
 }
 
@@ -217,7 +215,12 @@ impl Judge<'_, '_> {
             Status::Unread(message) => {
                 (line.mark, line.verdict, line.because) = (Mark::Unread, Some(Verdict::Unreadable), message);
             }
-            Status::False(finding) => self.false_line(at, &reading, &mut line, &finding)?,
+            Status::False(finding) => {
+                if let Some(said) = near_rest::of_the_frequency(self.quiet, self.world, &self.quiet.readings[display]) {
+                    self.premises[display] = said;
+                }
+                self.false_line(at, &reading, &mut line, &finding)?;
+            }
         }
         self.push(line);
         Ok(())
@@ -248,22 +251,40 @@ impl Judge<'_, '_> {
                 Along::Open => (Status::Given(Verdict::Assumed, OTHER_START), String::new()),
             };
         }
+        if matches!(own, Status::Holds(_)) && self.names_a_rate(reading) {
+            return (Status::Given(Verdict::Definition, "introduces a name"), String::new());
+        }
         if !matches!(own, Status::False(_) | Status::Open(..)) {
             return (own, String::new());
         }
         if self.along(&checker, display, reading, &none) == Along::True {
             return (Status::Holds(Verdict::Verified), String::new());
         }
+        // The problem states the frequency of small motion, and not what the deviation is.
+        let of_frequency = near_rest::of_the_frequency(self.quiet, self.world, &self.quiet.readings[display]);
+        let mut all = std::iter::once(&none).chain(&self.world.problem.contexts);
+        if of_frequency.as_ref().is_some_and(|said| all.any(|claim| self.holds_under(&checker, display, said, claim))) {
+            return (Status::Holds(Verdict::Verified), "follows for a small deviation".to_owned());
+        }
         for context in &self.world.problem.contexts {
-            if special::is_degenerate(&checker, context, reading) {
+            // While the motion stays at a place there is no deviation, and anything holds of it.
+            let is_still = of_frequency.is_some() && !context.throughout.is_empty();
+            if is_still || special::is_degenerate(&checker, context, reading) {
                 continue;
             }
             let loose = (!context.small.is_empty() || context.limit.is_some()).then(|| approximate(reading));
             let own = context.secular_for.is_some().then(|| self.of_the_frequency(reading));
-            let found = status(&checker, display, own.as_ref().or(loose.as_ref()).unwrap_or(reading), context);
-            if matches!(found, Status::Holds(_)) || self.along(&checker, display, reading, context) == Along::True {
+            if self.holds_under(&checker, display, own.as_ref().or(loose.as_ref()).unwrap_or(reading), context)
+                || self.along(&checker, display, reading, context) == Along::True
+            {
                 return (Status::Holds(Verdict::Verified), "follows from the problem, with its hypotheses".to_owned());
             }
+        }
+        if self.holds_where_it_grows(&checker, display, reading) {
+            return (
+                Status::Holds(Verdict::Verified),
+                "follows from the problem where the velocity is positive".to_owned(),
+            );
         }
         if self.is_a_root(&checker, display, reading) {
             return (Status::Holds(Verdict::Verified), "gives a root of the secular equation".to_owned());
@@ -287,9 +308,8 @@ impl Judge<'_, '_> {
             let last = (all.len() > 1).then(|| vec![spanned(text)]);
             for assume in [Some(all), last].into_iter().flatten() {
                 let claim = Claim { assume, ..Claim::default() };
-                let found = status(&checker, display, reading, &claim);
                 let is_along = || self.along(&checker, display, reading, &claim) == Along::True;
-                if matches!(found, Status::Holds(_)) || is_along() {
+                if self.holds_under(&checker, display, reading, &claim) || is_along() {
                     let found = Status::Holds(Verdict::Verified);
                     return (found, format!("follows under the condition of {name}"));
                 }
@@ -298,10 +318,30 @@ impl Judge<'_, '_> {
         (own, String::new())
     }
 
+    /// Whether a reading holds under a claim. Where other letters are sought, a few states that obey its hypotheses tell enough.
+    fn holds_under(&self, checker: &Checker<'_>, display: usize, reading: &Reading, claim: &Claim) -> bool {
+        let (assume, throughout) = (claim.assume.clone(), claim.throughout.clone());
+        let only_supposes = *claim == Claim { assume, throughout, ..Claim::default() } && !checker.starts(claim);
+        if self.details || !only_supposes || stated(reading).is_some() {
+            // States that obey hypotheses are found by chance: where none was found, another seed may find some.
+            let seeds = if claim.assume.is_empty() && claim.throughout.is_empty() { 1 } else { SEEDS };
+            let tried = (0..seeds).map(|more| {
+                let options = Options { seed: checker.options.seed + more, ..checker.options };
+                status(&Checker { options, units: checker.units.clone(), ..*checker }, display, reading, claim)
+            });
+            let mut decided = tried.skip_while(|found| matches!(found, Status::Open(..)));
+            return matches!(decided.next(), Some(Status::Holds(_)));
+        }
+        checker.hypotheses(claim).is_ok_and(|hypotheses| slip::fits_under(checker, reading, &hypotheses))
+    }
+
     fn along(&self, checker: &Checker<'_>, display: usize, reading: &Reading, claim: &Claim) -> Along {
         self.motion.along((checker, self.world), (display, reading), (claim, !self.details))
     }
 }
+
+/// How many seeds are tried for states that obey the hypotheses of a claim.
+const SEEDS: u64 = 3;
 
 /// What is said of a function of the time that solves the laws and is not that of the model solution.
 const OTHER_START: &str = "solves the equations of motion, but for other initial values than the model solution";

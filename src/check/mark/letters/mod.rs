@@ -22,7 +22,7 @@ use crate::check::sample::context::Options;
 use crate::check::usage::{Usage, names_of};
 
 use crate::check::mark::judge::{judge, judge_quickly};
-use crate::check::mark::judged::Judged;
+use crate::check::mark::judged::{Judged, Rival};
 use crate::check::mark::marked::Mark;
 use crate::check::mark::names::{Letters, Names, Role, StandsFor};
 use crate::check::mark::problem::{self, Problem};
@@ -67,34 +67,62 @@ pub(in crate::check::mark) fn best(
     };
     let quick = Run { options: Options { points: POINTS, explain: false, ..run.options }, ..*run };
     let mut best = declared.clone();
-    let ways = all_ways(problem, (&lines, &macros), &used, &declared);
+    let (by_form, ways) = all_ways(problem, (&lines, &macros), &used, &declared);
     if !ways.is_empty() {
-        let own = judge_quickly(&quick, &world(&declared, &quick)?, None)?;
-        let mut score = own.as_ref().map_or(i64::MIN, Judged::score);
-        let mut is_whole = own.as_ref().is_some_and(is_whole);
+        let names: Vec<Vec<Usage>> =
+            lines.iter().map(|line| all_usages(notes, std::slice::from_ref(line), &macros)).collect();
+        let results = problem.wanted.len();
+        let first = Rival { score: i64::MIN, known: vec![None; lines.len()], reached: Vec::new(), results };
+        let own = judge_quickly(&quick, &world(&declared, &quick)?, &first)?;
+        let (mut score, mut is_whole) = (own.score(), self::is_whole(&own));
+        let mut most_false = own.lines.iter().filter(|line| line.mark == Mark::Wrong).count();
+        let mut tried = vec![(declared.clone(), own)];
         for way in ways {
             if is_whole {
                 break;
             }
-            let judged = world(&way, &quick).and_then(|world| judge_quickly(&quick, &world, Some(score)));
-            let Ok(Some(judged)) = judged else { continue };
-            if judged.score() > score {
-                is_whole = self::is_whole(&judged);
-                (score, best) = (judged.score(), way);
+            let rival = rival(&tried, (score, results), |other| changed(known, &names, (other, &way)));
+            if !rival.may_be_beaten(&[]) {
+                continue;
             }
+            let judged = world(&way, &quick).and_then(|world| judge_quickly(&quick, &world, &rival));
+            let Ok(judged) = judged else { continue };
+            // A guess that makes more lines false than the letters before is no better for other lines that it makes true.
+            let is_false = |judged: &Judged| judged.lines.iter().filter(|line| line.mark == Mark::Wrong).count();
+            let is_sound = is_false(&judged) <= most_false || is_likely(&way, &declared) || by_form.contains(&way);
+            if judged.is_complete() && judged.score() > score && is_sound {
+                most_false = most_false.max(is_false(&judged));
+                is_whole = self::is_whole(&judged);
+                (score, best) = (judged.score(), way.clone());
+            }
+            tried.push((way, judged));
         }
     }
     Ok((judge(run, &world(&best, run)?)?, shown(&with_primes(&used, known, &best))))
 }
 
+/// What the letters that were tried say of others, for which `changed` tells the lines that are not the same with them.
+fn rival(
+    tried: &[(Letters, Judged)],
+    (score, results): (i64, usize),
+    changed: impl Fn(&Letters) -> Vec<bool>,
+) -> Rival {
+    let all: Vec<(&Judged, Vec<bool>)> = tried.iter().map(|(other, judged)| (judged, changed(other))).collect();
+    let lines = all.first().map_or(0, |(_, is_changed)| is_changed.len());
+    let known = |at: usize| {
+        let mut same = all.iter().filter(|(_, is_changed)| !is_changed[at]);
+        same.find_map(|(judged, _)| judged.lines.get(at).map(|line| line.mark))
+    };
+    let known = (0..lines).map(known).collect();
+    let complete = all.into_iter().filter(|(judged, _)| judged.is_complete());
+    let reached = complete.map(|(judged, is_changed)| (judged.reached(), is_changed)).collect();
+    Rival { score, known, reached, results }
+}
+
 /// The letters, and the names with primes: rates of what varies, where the problem itself has no such names.
 fn with_primes(used: &[Usage], known: &Names, table: &Letters) -> Letters {
     let mut all = table.clone();
-    let has_primed_rates = used.iter().filter(|usage| usage.name.primes > 0).any(|usage| {
-        let plain = Name { primes: 0, ..usage.name.clone() };
-        let of = table.get(&plain).map_or(&plain, |other| &other.name);
-        known.names.iter().any(|(name, role, _)| name == of && *role == Role::Moving)
-    });
+    let has_primed_rates = has_primed_rates(used, known, table);
     for usage in used.iter().filter(|usage| usage.name.primes > 0 && known.symbols.find(&usage.name).is_none()) {
         let plain = Name { primes: 0, ..usage.name.clone() };
         let own = StandsFor { name: plain.clone(), dots: 0 };
@@ -104,11 +132,25 @@ fn with_primes(used: &[Usage], known: &Names, table: &Letters) -> Letters {
         let varies = |(name, role, _): &(Name, Role, bool)| {
             *name == of.name && (*role == Role::Moving || *role == Role::Determined && has_primed_rates)
         };
-        if dots <= 2 && known.names.iter().any(varies) {
+        // So are those of what only the hand-in has, and writes without primes too: `r = r_0 + x`, and then x''.
+        let is_own = || {
+            let is_known = known.symbols.find(&of.name).is_some() || table.contains_key(&plain);
+            has_primed_rates && !is_known && used.iter().any(|usage| usage.name == plain)
+        };
+        if dots <= 2 && (known.names.iter().any(varies) || is_own()) {
             all.insert(usage.name.clone(), StandsFor { name: of.name.clone(), dots });
         }
     }
     all
+}
+
+/// Whether primes stand for rates of a coordinate somewhere.
+fn has_primed_rates(used: &[Usage], known: &Names, table: &Letters) -> bool {
+    used.iter().filter(|usage| usage.name.primes > 0).any(|usage| {
+        let plain = Name { primes: 0, ..usage.name.clone() };
+        let of = table.get(&plain).map_or(&plain, |other| &other.name);
+        known.names.iter().any(|(name, role, _)| name == of && *role == Role::Moving)
+    })
 }
 
 /// Whether every line holds, and every result is reached.
@@ -117,7 +159,36 @@ fn is_whole(judged: &Judged) -> bool {
         && judged.found.iter().all(|found| found.as_ref().is_some_and(|found| found.is_right))
 }
 
+/// The lines of which the mark may differ between two ways: those with a name that stands for something else, and with what such
+/// a line says of names that only the hand-in has. `names` are those in each line.
+fn changed(known: &Names, names: &[Vec<Usage>], (other, way): (&Letters, &Letters)) -> Vec<bool> {
+    let plain = |name: &Name| Name { primes: 0, ..name.clone() };
+    let all = other.keys().chain(way.keys());
+    let mut new: Vec<Name> = all.filter(|name| other.get(name) != way.get(name)).map(plain).collect();
+    let mut is_changed = vec![false; names.len()];
+    loop {
+        // What stands for a value at an instant has the name of the letter in it.
+        let has_new = |usage: &Usage| {
+            new.contains(&plain(&usage.name))
+                || instants::is_instant(&usage.name)
+                || usage.name.base == "p" && !usage.name.subscript.is_empty()
+        };
+        let found = (0..names.len()).find(|at| !is_changed[*at] && names[*at].iter().any(has_new));
+        let Some(at) = found else { return is_changed };
+        is_changed[at] = true;
+        let own = names[at].iter().map(|usage| plain(&usage.name)).filter(|name| known.symbols.find(name).is_none());
+        new.extend(own);
+    }
+}
+
+/// The names in lines, without those of values at instants.
 fn usages(notes: &Notes, lines: &[Written], macros: &Macros) -> Vec<Usage> {
+    let mut all = all_usages(notes, lines, macros);
+    all.retain(|usage| !instants::is_instant(&usage.name));
+    all
+}
+
+fn all_usages(notes: &Notes, lines: &[Written], macros: &Macros) -> Vec<Usage> {
     let displays: Vec<_> = lines
         .iter()
         .map(|line| crate::notes::Display {
@@ -131,9 +202,7 @@ fn usages(notes: &Notes, lines: &[Written], macros: &Macros) -> Vec<Usage> {
             line: notes.source.line_column(line.body.start).0,
         })
         .collect();
-    let mut all = names_of(&displays, macros);
-    all.retain(|usage| !instants::is_instant(&usage.name));
-    all
+    names_of(&displays, macros)
 }
 
 /// The letters that the rubric declares, where the hand-in uses them and not the problem's own.
@@ -152,27 +221,30 @@ fn declared(problem: &Problem, used: &[Usage]) -> Letters {
 
 /// Whether the primes of a name make it a rate: without them it is, or stands for, what varies. Otherwise they make it another
 /// quantity, such as a velocity after a collision.
-fn is_rate(name: &Name, known: &Names, declared: &Letters) -> bool {
+fn is_rate(name: &Name, used: &[Usage], known: &Names, declared: &Letters) -> bool {
+    let varies =
+        |role: &Role| *role == Role::Moving || *role == Role::Determined && has_primed_rates(used, known, declared);
     let plain = Name { primes: 0, ..name.clone() };
     let other = declared.get(&plain).map_or(&plain, |other| &other.name);
-    known.names.iter().any(|(known, role, _)| known == other && *role == Role::Moving)
+    known.names.iter().any(|(known, role, _)| known == other && varies(role))
 }
 
-/// All ways that are tried: those in which a line is one of the problem, each by itself and with the likeliest other
+/// The ways in which a line is one of the problem; and all ways that are tried: these, each by itself and with the likeliest other
 /// letters, and then the others.
 fn all_ways(
     problem: &Problem,
     (lines, macros): (&[Written], &Macros),
     used: &[Usage],
     declared: &Letters,
-) -> Vec<Letters> {
+) -> (Vec<Letters>, Vec<Letters>) {
     let known = &problem.names;
-    let is_own = |name: &Name| used.iter().any(|usage| usage.name == *name && is_own(usage, known, declared));
+    let is_own = |name: &Name| used.iter().any(|usage| usage.name == *name && is_own(usage, used, known, declared));
     let is_free = |name: &Name| used.iter().all(|usage| usage.name != *name);
-    let mut all: Vec<Letters> = Vec::new();
+    let (mut by_form, mut all): (Vec<Letters>, Vec<Letters>) = Default::default();
     for table in matching::tables(problem, (lines, macros), is_own, is_free) {
         let table: Letters = declared.clone().into_iter().chain(table).collect();
         let others = ways(used, known, &table);
+        by_form.push(table.clone());
         all.push(table);
         all.extend(others.into_iter().take(WAYS_BESIDE));
     }
@@ -180,14 +252,20 @@ fn all_ways(
     let new: Vec<Letters> = others.into_iter().filter(|way| !all.contains(way)).collect();
     all.extend(new);
     all.truncate(WAYS);
-    all
+    (by_form, all)
+}
+
+/// Whether each letter stands for the same letter in another form, as M for m.
+fn is_likely(way: &Letters, declared: &Letters) -> bool {
+    let mut new = way.iter().filter(|(own, _)| !declared.contains_key(own));
+    new.all(|(own, other)| other.dots == 0 && alike(own, &other.name))
 }
 
 /// The most ways that are tried beside a line that is one of the problem.
 const WAYS_BESIDE: usize = 8;
 
 /// Whether a name is one that only the hand-in has.
-fn is_own(usage: &Usage, known: &Names, declared: &Letters) -> bool {
+fn is_own(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> bool {
     let name = &usage.name;
     // `d` is a name where it is the whole left side.
     let is_free = name.base == "d" && usage.introduced.is_some();
@@ -202,14 +280,14 @@ fn is_own(usage: &Usage, known: &Names, declared: &Letters) -> bool {
         && !reserved
         && !is_momentum
         && !declared.contains_key(name)
-        && (name.primes == 0 || !is_rate(name, known, declared))
+        && (name.primes == 0 || !is_rate(name, used, known, declared))
         && !name.base.starts_with(['(', '['])
 }
 
 /// The ways to take the names that only the hand-in has for names that only the problem has, the most likely first.
 fn ways(used: &[Usage], known: &Names, declared: &Letters) -> Vec<Letters> {
     let mut found: Vec<(u32, Letters)> = vec![(0, Letters::new())];
-    for usage in used.iter().filter(|usage| is_own(usage, known, declared)) {
+    for usage in used.iter().filter(|usage| is_own(usage, used, known, declared)) {
         let options = options(usage, used, known, declared);
         let own = if usage.introduced.is_some() { OWN_WITH_A_LINE } else { OWN };
         let mut next: Vec<(u32, Letters)> = Vec::new();
@@ -251,13 +329,18 @@ fn options(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> 
         (false, _) => true,
     };
     let mut found = Vec::new();
-    for (name, role, angle) in &known.names {
+    // No letter stands for a slope such as \partial L/\partial\theta.
+    for (name, role, angle) in known.names.iter().filter(|(name, ..)| !name.base.starts_with("\\frac")) {
         if *role == Role::Moving {
             let dots = rate(&usage.name, name, *angle);
             found.extend(dots.map(|dots| (1, StandsFor { name: name.clone(), dots })));
         }
         // A letter that stands for another quantity leaves its own meaning to others.
         if is_used(name) && !declared.contains_key(name) || is_taken(name) || !fits(name, *role) {
+            continue;
+        }
+        // A letter with the subscript 0 is a value of something, which does not change.
+        if usage.name.subscript == ["0"] && !known.fixed.contains(name) {
             continue;
         }
         let cost = match () {
