@@ -17,6 +17,9 @@ use crate::formula::units::in_si::has_units;
 use crate::formula::{Expr, Node, Relation};
 use crate::notes::claims::Claim;
 
+/// The number of states that are tried; a root has a value in some of them.
+const STATES: usize = 16;
+
 /// The fewest states that show a ratio.
 const FEWEST: usize = 3;
 
@@ -77,7 +80,7 @@ impl Course<'_, '_> {
         let Ok(link) = self.checker.link(lhs, Relation::Equal, rhs) else { return Ok(None) };
         let context = self.context(&[]);
         let mode = context.mode(false, &[&link.lhs, &link.rhs]);
-        let ensemble = context.ensemble(mode, false, context.options.points)?;
+        let ensemble = context.ensemble(mode, false, STATES)?;
         let mut ratios = Vec::new();
         for state in &ensemble.states {
             let sides = (state.now(&link.lhs, &[]), state.now(&link.rhs, &[]));
