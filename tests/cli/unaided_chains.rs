@@ -102,6 +102,10 @@ and for a sphere
 $$ I = \frac25 M R^2 $$
 ";
     assert!(!right("bodies", disc).contains(&"refuted".to_owned()));
+    let energy = disc.replace("I = \\frac25 M R^2", "\\frac12 I \\omega^2 = \\frac15 M R^2 \\omega^2");
+    assert!(!right("energies", &energy).contains(&"refuted".to_owned()));
+    // Of one body it is a claim.
+    assert_ne!(right("one", &energy.replace("and for a sphere", "and so")), right("energies", &energy));
 }
 
 const WHEELS: &str = r"The wheels give

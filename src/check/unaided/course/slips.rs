@@ -6,12 +6,13 @@ use crate::check::unaided::course::{Course, named};
 use crate::check::unaided::dimensions;
 use crate::check::unaided::gate::{self, Basis};
 use crate::check::unaided::premises::{Premise, Said};
-use crate::check::unaided::prose::{Announced, Words};
+use crate::check::unaided::prose::{self, Announced, Words};
 use crate::check::unaided::solutions;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
+use crate::formula::SymbolId;
 use crate::latex::DefinedSymbol;
 use crate::latex::slips::Slip;
 use crate::notes::claims::Claim;
@@ -47,7 +48,7 @@ impl Course<'_, '_> {
             || checker.readings[at].introduced.iter().any(is_frequency);
         let solves = set.is_empty()
             && (is_claimed || solutions::is_printed(checker, at, claim) || words.connected && self.restates(at));
-        let is_another_case = words.other_case && !self.is_by_itself(at);
+        let is_another_case = words.other_case && !self.is_by_itself(at) || self.is_about_another(at);
         let is_supposed =
             words.announced.is_supposed() && !is_claimed && !(words.only_nearness && self.approximates(at));
         let is_tried = (solves || gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words))
@@ -127,6 +128,20 @@ impl Course<'_, '_> {
             };
         }
         Ok(Some(found))
+    }
+}
+
+impl Course<'_, '_> {
+    /// Whether the words say that a display is about another thing than a definition that it uses: a sphere, and not a disc.
+    fn is_about_another(&self, at: usize) -> bool {
+        let checker = self.checker;
+        let origin = self.scope.origin_of(at, checker.notes.equations.len());
+        let Some(object) = prose::object(checker.notes, origin) else { return false };
+        let members = checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        let used: Vec<SymbolId> = members.flat_map(|member| gate::names(member, checker.model)).collect();
+        let defines = |place: &usize| checker.readings[*place].introduced.iter().any(|new| used.contains(&new.symbol));
+        let other = |place: usize| prose::object(checker.notes, place).is_some_and(|other| other != object);
+        (0..origin).filter(defines).any(other)
     }
 }
 

@@ -113,6 +113,32 @@ pub(super) fn sentence(notes: &Notes, at: usize) -> String {
     last_sentence(&all).to_owned()
 }
 
+/// What a display is about, if the sentence before it says so: the sphere of "for a sphere".
+pub(super) fn object(notes: &Notes, at: usize) -> Option<String> {
+    const BEFORE: [&str; 12] = [
+        "for a ",
+        "for an ",
+        "for the ",
+        "für ein ",
+        "für eine ",
+        "für einen ",
+        "für die ",
+        "pour un ",
+        "pour une ",
+        "pour la ",
+        "para una ",
+        "per una ",
+    ];
+    let words: Vec<String> = sentence(notes, at).split_whitespace().map(str::to_lowercase).collect();
+    let sentence = words.join(" ");
+    let after = BEFORE.iter().filter_map(|word| {
+        let at = sentence.rfind(word).filter(|at| !sentence[..*at].ends_with(char::is_alphanumeric))?;
+        Some(&sentence[at + word.len()..])
+    });
+    let noun = after.map(|rest| rest.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default()).next()?;
+    (!noun.is_empty()).then(|| noun.to_owned())
+}
+
 /// The displays that the words before the `at`-th display cite.
 fn cited(notes: &Notes, at: usize, words: &str) -> Vec<usize> {
     let mut named: Vec<usize> = Vec::new();
