@@ -336,3 +336,17 @@ fn a_linearised_equation_may_be_about_another_place_than_0() {
     let found = equation(&claims, &[pendulum, r"\ddot\varepsilon = -\frac gl\varepsilon"], small);
     assert_eq!(found.repairs.first().map(|repair| repair.replacement.trim()), Some(""));
 }
+
+#[test]
+fn a_frequency_is_tested_where_the_place_is_stable() {
+    // About θ = 0 it is stable only where g > R ω².
+    let found = |latex: &str| {
+        let mut claims = hoop();
+        claims["means"][r"\Omega"] = json!(r"frequency of small oscillations about \theta = 0");
+        equation(&claims, &[HOOP, latex], json!({})).finding
+    };
+    let slip = found(r"\Omega = \sqrt{\frac gR + \omega^2}");
+    assert_eq!(slip.verdict, Refuted);
+    assert!(slip.counterexample.is_some_and(|shown| shown.rhs > 0.0));
+    assert_eq!(outcome(&found(r"\Omega = \sqrt{\frac gR - \omega^2}")), Verified);
+}
