@@ -1,9 +1,10 @@
 //! Forces beside the Lagrangian that vary freely with the time.
 
 use onshell::check::Verdict::{self, Refuted, Verified};
+use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{error, verdict, with};
+use crate::support::{document, error, numbered, outcome, verdict, with};
 
 /// A pendulum whose base is pushed by a motor, with friction.
 fn cart() -> Json {
@@ -58,4 +59,29 @@ fn a_force_with_a_range_is_rejected_with_a_way_out() {
         verdict(&declared, &[LAGRANGIAN, r"M\ddot x + m\frac{d^2}{dt^2}(x + l\sin\theta) + b\dot x = |u|"], json!({})),
         Verified
     );
+}
+
+#[test]
+fn names_in_a_force_are_no_constants_of_a_solution() {
+    let claims = json!({
+        "coordinates": { "x": "any" },
+        "constants": { r"m, k, c, F, \omega": "> 0" },
+        "means": { "L": "Lagrangian" },
+        "forces": { "x": r"F\cos\omega t - c\dot x" },
+    });
+    let lagrangian = r"L = \frac12 m\dot x^2 - \frac12 k x^2";
+    let solution = r"x = \frac{F}{k - m\omega^2}\cos\omega t";
+    let undamped = |law: &str, claim: Json| {
+        let mut claims = claims.clone();
+        claims["equations"] = json!({ "2": claim, "3": { "assume": "c = 0" } });
+        let displays = numbered(&[lagrangian, law, solution]);
+        let found = document(&claims, &displays, &Registry::standard(), None).expect("the claims fit");
+        found.equations.iter().map(|equation| outcome(&equation.finding)).collect::<Vec<_>>()
+    };
+    let right = r"m\ddot x + c\dot x + k x = F\cos\omega t";
+    assert_eq!(undamped(right, json!({}))[1..], [Verified, Verified]);
+    // A slip in the equation is one of the equation: it does not rest on the solution without friction.
+    for slip in [r"m\ddot x + c\dot x = F\cos\omega t", r"m\ddot x + c\dot x + k x = 2F\cos\omega t"] {
+        assert_eq!(undamped(slip, json!({}))[1..], [Refuted, Verified], "{slip}");
+    }
 }
