@@ -79,7 +79,8 @@ fn a_slip_in_what_a_name_means_is_mended_there() {
     let uses = [r"s + 2ab = (a + b)^2", r"s - 2ab = (a - b)^2"];
     let found = checked(&claims, &["s = a^2 - b^2", uses[0], uses[1]]);
     let wrong: Vec<_> = shared(&found).into_iter().flatten().collect();
-    assert_eq!(wrong, vec![("1", vec!["2", "3"]); 2]);
+    assert_eq!(wrong, vec![("1", vec!["2", "3"]); 3]);
+    assert_eq!(found.equations[0].finding.verdict, Verdict::Refuted);
     assert_eq!(mended(&found), numbered(&["s = a^2 + b^2", uses[0], uses[1]]));
 }
 
