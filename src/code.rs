@@ -80,7 +80,8 @@ codes! {
     /// without a claims file only.
     DimensionsConflict = "dimensions-conflict",
     /// A definition, or a relation that was taken for granted, is contradicted by several displays that use it, and one edit of it
-    /// repairs them: in notes without a claims file, and of the Lagrangian that notes print.
+    /// repairs them: in notes without a claims file, and of the Lagrangian that notes print. With a claims file a definition is
+    /// contradicted if no edit of one of these displays itself corrects that one.
     ///
     /// For example, `t_1 = \frac{v}{7 a}` before `v_1 = v - a t_1 = \frac57 v` and another display that needs twice that time.
     /// Correct it.
@@ -330,7 +331,8 @@ codes! {
     DefinitionUnused = "definition-unused",
     /// Other equations use a defined name, and none of them passes, so the definition was not tested.
     ///
-    /// The mistake may be in the definition. Correct the equations that use the name, or the definition.
+    /// The mistake may be in the definition. Correct the equations that use the name, or the definition. Where edits of these
+    /// equations themselves correct them, this is no failure.
     DefinitionUsersFail = "definition-users-fail",
     /// Other equations use a defined name, and a wrong definition would not make any of them fail.
     ///

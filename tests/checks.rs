@@ -29,6 +29,8 @@ mod edges;
 mod evidence;
 #[path = "checks/families.rs"]
 mod families;
+#[path = "checks/forces.rs"]
+mod forces;
 #[path = "checks/laws.rs"]
 mod laws;
 #[path = "checks/mechanics.rs"]

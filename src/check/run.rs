@@ -59,7 +59,10 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
         let equations = if has_steps { checker.with_shared_repairs(run, equations, &sentences) } else { equations };
         // With only one equation checked, no other can confirm its premises.
         let equations = match run.only {
-            None => checker.with_unconfirmed_premises(run, equations, &sentences),
+            None => {
+                let equations = checker.with_unconfirmed_premises(run, equations, &sentences);
+                checker.with_definitions_of_wrong_displays(equations)
+            }
             Some(_) => equations,
         };
         Ok(Document {

@@ -42,6 +42,8 @@ pub fn is_a_side(text: &str, name: &str, macros: &Macros) -> bool {
             || matches!(kind, TokenKind::Command(sign) if sign == "\\pm" || sign == "\\mp")
             // `\cos\theta_0` is no name.
             || matches!(kind, TokenKind::Command(command) if is_applied(command))
+            // A rate, `\dot r = …`, gives the name itself no formula.
+            || matches!(kind, TokenKind::Command(dots) if ["dot", "ddot", "dddot"].contains(&dots.trim_start_matches('\\')))
     };
     let kept = |text: &str| -> Vec<TokenKind> { printed_kinds(text, macros).into_iter().filter(is_kept).collect() };
     let (text, name) = (kept(text), kept(name));

@@ -77,3 +77,24 @@ fn torques_that_laws_say_outright() {
     assert_eq!(work(r"\dot T = \tau_1 \dot\theta_1 + \tau_2 \dot\theta_2"), Verdict::Certified);
     assert_eq!(work(r"\dot T = \tau_1 \dot\theta_1 - \tau_2 \dot\theta_2"), Refuted);
 }
+
+/// Six laws of the first order of which each contains all names: their series are found term by term, not one within the other.
+#[test]
+fn many_laws_that_determine_each_other_take_no_time() {
+    let names = ["a", "b", "c", "f", "g", "h"];
+    let all = names.join(" + ");
+    let claims = json!({
+        "constants": { "k": "> 0" },
+        "varies with time": { names.join(", "): "any" },
+        "laws": { "1": "1", "2": "2", "3": "3", "4": "4", "5": "5", "6": "6" },
+    });
+    let laws: Vec<String> = names.iter().map(|name| format!(r"\dot {name} = k({all}) - 6 k {name}")).collect();
+    let found = |latex: &str| {
+        let mut displays: Vec<&str> = laws.iter().map(String::as_str).collect();
+        displays.push(latex);
+        verdicts(&claims, &displays)[6]
+    };
+    assert_eq!(found(&format!(r"\frac{{d^3}}{{dt^3}}({all}) = 0")), Verified);
+    assert_eq!(found(r"\ddot a - \ddot b = 36 k^2(a - b)"), Verified);
+    assert_eq!(found(r"\ddot a - \ddot b = 6 k^2(a - b)"), Refuted);
+}

@@ -327,3 +327,28 @@ fn a_formula_may_stand_for_one_name() {
     assert_eq!(verdicts(&sum, &["\\sum_i a_i + b = b + \\sum_i a_i"]), [Verified]);
     assert_eq!(verdicts(&sum, &["\\sum_i a_i b = b \\sum_i a_i"]), [Unreadable]);
 }
+
+#[test]
+fn a_distance_for_which_the_notes_give_equations_is_defined_by_its_formula() {
+    let claims = json!({
+        "coordinates": { "x_1, x_2": "any" },
+        "constants": { "m, k, l": "> 0" },
+        "means": { "L": "Lagrangian" },
+    });
+    let notes = |words: &str, law: &str| {
+        let lagrangian = r"L = \frac12 m(\dot x_1^2 + \dot x_2^2) - \frac12 k(x_1 - x_2 - l)^2";
+        format!("$$ {lagrangian} \\tag{{1}} $$\n\n{words}\n\n$$ {law} \\tag{{2}} $$\n")
+    };
+    let found = |words: &str, law: &str| {
+        let document = document(&claims, &notes(words, law), &Registry::standard(), Some("2")).expect("the claims fit");
+        outcome(&document.equations[0].finding)
+    };
+    let (law, slip) = (r"m\ddot r = -2k(r - l)", r"m\ddot r = -k(r - l)");
+    assert_eq!(found("For the distance $r = x_1 - x_2$ we get", law), Verified);
+    assert_eq!(found("For the distance $r = x_1 - x_2$ we get", slip), Refuted);
+    assert_eq!(found("For the distances $s = x_2$ and $r = x_1 - x_2$ we get", law), Verified);
+    // The twins: cases, and a formula that does not move.
+    assert_eq!(found("For $r = x_1 - x_2$ we get", law), Unreadable);
+    assert_eq!(found("At the distance $r = x_1 - x_2$ we get", law), Unreadable);
+    assert_eq!(found("For the distance $r = 2l$ we get", "k r = 2 k l"), Unreadable);
+}

@@ -239,3 +239,37 @@ fn what_words_may_mean_otherwise_is_not_refuted() {
     let of_top = claims(&json!({ r"\theta": "(0, \\pi)", r"\phi, \psi": "angle" }), "A, C, m, g, l");
     assert_ne!(verdict(&of_top, top), Verdict::Refuted);
 }
+
+#[test]
+fn solutions_that_are_sought_are_no_roots_of_the_secular_equation() {
+    let sought =
+        PAIR.replace("The secular equation is", r"If we seek solutions that oscillate, the secular equation is");
+    let slips =
+        [("2", r"(k + c - m\omega^2)^2", r"(k - c - m\omega^2)^2"), ("3", r"\frac{k + 2c}{m}", r"\frac{k + c}{m}")];
+    passes_and_finds(&claims(&json!({ "x, y": "any" }), "m, k, c"), &sought, &slips);
+    // The twins: words for the roots of the equation, after which no secular equation is expected.
+    for roots in ["The solutions of this secular equation obey", "The secular equation has the roots"] {
+        let found = checked(
+            &claims(&json!({ "x, y": "any" }), r"m, k, c, \omega"),
+            &PAIR.replace("The secular equation is", roots),
+        );
+        assert!(!found.inferred.iter().any(|line| line.contains("(2) is the secular equation")), "{roots}");
+    }
+}
+
+#[test]
+fn there_is_the_place_of_the_sentence_before() {
+    let notes = r"$$ L = \frac12 m a^2\dot\theta^2 + m a^2 \left(\beta - \alpha\right)\cos\theta \tag{1} $$
+
+For small $\alpha$ the lowest point is stable. For a large one the highest point, $\theta = \pi$, is stable. There the frequency
+$\nu$ of small oscillations is given by
+
+$$ \nu^2 = \alpha - \beta \tag{2} $$
+";
+    let slips = [("2", r"\nu^2 = \alpha - \beta", r"\nu^2 = \alpha + \beta")];
+    passes_and_finds(&claims(&json!({ r"\theta": "angle" }), r"m, a, \alpha, \beta"), notes, &slips);
+    // The twin: words that refer to nothing are about the lowest point.
+    let found =
+        checked(&claims(&json!({ r"\theta": "angle" }), r"m, a, \alpha, \beta"), &notes.replace("There the", "The"));
+    assert!(!found.inferred.iter().any(|line| line.contains(r"about \theta = \pi")), "{:?}", found.inferred);
+}

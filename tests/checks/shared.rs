@@ -5,7 +5,7 @@ use onshell::check::{Document, Equation, Verdict};
 use onshell::systems::Registry;
 use serde_json::{Value as Json, json};
 
-use crate::support::{document, numbered};
+use crate::support::{document, numbered, outcome};
 
 /// A rocket, by Meshchersky's law.
 fn rocket() -> Json {
@@ -79,7 +79,8 @@ fn a_slip_in_what_a_name_means_is_mended_there() {
     let uses = [r"s + 2ab = (a + b)^2", r"s - 2ab = (a - b)^2"];
     let found = checked(&claims, &["s = a^2 - b^2", uses[0], uses[1]]);
     let wrong: Vec<_> = shared(&found).into_iter().flatten().collect();
-    assert_eq!(wrong, vec![("1", vec!["2", "3"]); 2]);
+    assert_eq!(wrong, vec![("1", vec!["2", "3"]); 3]);
+    assert_eq!(found.equations[0].finding.verdict, Verdict::Refuted);
     assert_eq!(mended(&found), numbered(&["s = a^2 + b^2", uses[0], uses[1]]));
 }
 
@@ -355,4 +356,41 @@ fn a_display_that_is_false_itself_is_called_wrong_in_the_place_of_what_uses_it()
     // The twin: what no edit of it mends is wrong by itself.
     let found = checked(&claims, &["p = a - b = b + a", "p^2 = a^2 + 3ab + b^2"]);
     assert_eq!(found.equations[1].finding.verdict, Verdict::Refuted);
+}
+
+fn lengths(displays: &[&str]) -> Vec<(Verdict, bool)> {
+    let found = checked(&json!({ "constants": { "a, b": "> 0" } }), displays);
+    found.equations.iter().map(|equation| (outcome(&equation.finding), equation.ok)).collect()
+}
+
+#[test]
+fn a_definition_that_several_displays_contradict_is_wrong_where_one_of_them_cannot_be_corrected_itself() {
+    let uses = [r"u^2 - b^2 = a^2", r"u^4 - b^4 = a^4 + 2a^2b^2"];
+    let slip = r"u = \sqrt{a + b^2}";
+    let right = lengths(&[r"u = \sqrt{a^2 + b^2}", uses[0], uses[1]]);
+    assert_eq!(right, [(Verdict::Definition, true), (Verdict::Verified, true), (Verdict::Verified, true)]);
+    let found = lengths(&[slip, uses[0], uses[1]]);
+    assert_eq!(found, [(Verdict::Refuted, false), (Verdict::Undecided, false), (Verdict::Undecided, false)]);
+    // The twin: each display can be corrected as well, so nobody knows which is wrong.
+    let found = lengths(&[r"u = \sqrt{a^2 + b}", uses[0], r"(u - a)(u + a) = b^2"]);
+    assert_eq!(found, [(Verdict::Undecided, false), (Verdict::Refuted, false), (Verdict::Refuted, false)]);
+}
+
+#[test]
+fn a_definition_that_its_only_user_contradicts_is_wrong_where_no_edit_of_that_corrects_it() {
+    let found = lengths(&[r"u = \sqrt{a + b^2}", r"u^4 - b^4 = a^4 + 2a^2b^2"]);
+    assert_eq!(found, [(Verdict::Refuted, false), (Verdict::Undecided, false)]);
+    // The twin: the display can be corrected as well.
+    let found = lengths(&[r"u = \sqrt{a + b^2}", "u^2 - b^2 = a^2"]);
+    assert_eq!(found[1], (Verdict::Refuted, false));
+}
+
+#[test]
+fn a_definition_that_only_a_wrong_display_uses_is_no_second_failure() {
+    let definition = r"u = \sqrt{a^2 + b^2}";
+    let found = lengths(&[definition, "u^2 = a^2 - b^2"]);
+    assert_eq!(found, [(Verdict::Undecided, true), (Verdict::Refuted, false)]);
+    // The twin: no edit of the display corrects it, so the definition may be wrong as well.
+    let found = lengths(&[definition, "u^4 = a^4 + a b^2"]);
+    assert_eq!(found, [(Verdict::Undecided, false), (Verdict::Refuted, false)]);
 }

@@ -312,3 +312,41 @@ fn numbers_are_drawn_where_inequalities_hold() {
     let none = with(&claims, "assume", json!(["c > d", "d > c"]));
     assert_eq!(verdict(&none, &[lagrangian, r"\ddot r = -\frac{r}{\sqrt{r^2 - a^2}}"], json!({})), Undecided);
 }
+
+#[test]
+fn a_linearised_equation_may_be_about_another_place_than_0() {
+    let claims = json!({
+        "coordinates": { r"\theta": "angle" }, "constants": { r"m, l, g, \omega": "> 0", r"\theta_0": "(0, \\pi/2)" },
+        "means": { "L": "Lagrangian" },
+        "define": { r"\varepsilon": r"\theta - \pi", r"\delta": r"\theta - \theta_0" },
+    });
+    let about = |lagrangian: &str, place: &str, law: &str| {
+        let small = json!({ "assume": format!(r"small oscillations about \theta = {place}") });
+        verdict(&claims, &[lagrangian, law], small)
+    };
+    let pendulum = r"L = \frac12 m l^2\dot\theta^2 + m g l\cos\theta";
+    assert_eq!(about(pendulum, r"\pi", r"\ddot\varepsilon = \frac gl\varepsilon"), Verified);
+    // The twins: slips, another place, and a place that may be none of rest.
+    assert_eq!(about(pendulum, r"\pi", r"\ddot\varepsilon = -\frac gl\varepsilon"), Refuted);
+    assert_eq!(about(pendulum, r"\pi", r"\ddot\varepsilon = \frac{g}{2l}\varepsilon"), Refuted);
+    assert_eq!(about(pendulum, "0", r"\ddot\varepsilon = \frac gl\varepsilon"), Refuted);
+    assert_eq!(about(pendulum, r"\theta_0", r"\ddot\delta = -\frac gl\cos\theta_0\,\delta"), Undecided);
+    // A slip there is corrected there.
+    let small = json!({ "assume": r"small oscillations about \theta = \pi" });
+    let found = equation(&claims, &[pendulum, r"\ddot\varepsilon = -\frac gl\varepsilon"], small);
+    assert_eq!(found.repairs.first().map(|repair| repair.replacement.trim()), Some(""));
+}
+
+#[test]
+fn a_frequency_is_tested_where_the_place_is_stable() {
+    // About θ = 0 it is stable only where g > R ω².
+    let found = |latex: &str| {
+        let mut claims = hoop();
+        claims["means"][r"\Omega"] = json!(r"frequency of small oscillations about \theta = 0");
+        equation(&claims, &[HOOP, latex], json!({})).finding
+    };
+    let slip = found(r"\Omega = \sqrt{\frac gR + \omega^2}");
+    assert_eq!(slip.verdict, Refuted);
+    assert!(slip.counterexample.is_some_and(|shown| shown.rhs > 0.0));
+    assert_eq!(outcome(&found(r"\Omega = \sqrt{\frac gR - \omega^2}")), Verified);
+}

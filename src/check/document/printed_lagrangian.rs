@@ -21,6 +21,7 @@ use crate::check::document::{motion_by_laws, normal_frequencies};
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::model::claims_error::formula_error;
+use crate::check::model::functions;
 use crate::check::model::meaning::Meaning;
 use crate::check::model::order::derivatives;
 use crate::check::model::sampling::Mode;
@@ -67,6 +68,7 @@ pub(crate) fn make((claims, notes): (&Claims, &Notes), readings: &[Reading], mod
     }
     let formula = Expr::new(crate::formula::Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, printed.place);
     applied_forces(claims, model)?;
+    forces_of_the_time(claims, model)?;
     if derivatives(&formula, model) > 1 {
         return match motion_by_laws::of_the_lagrangian(model, symbol) {
             true => Ok(()),
@@ -151,6 +153,30 @@ fn applied_forces(claims: &Claims, model: &mut Model) -> Result<()> {
     let forces = claims.forces.iter().map(|(name, force)| Ok((place(name)?, read(force)?))).collect::<Result<_>>()?;
     if let Some(printed) = &mut model.printed_lagrangian {
         (printed.dissipation, printed.forces, printed.constraints) = (dissipation, forces, constraints);
+    }
+    Ok(())
+}
+
+/// Makes names that vary freely functions of the time where a force, the dissipation function or a constraint contains them:
+/// the motion follows from all that it depends on, with its rates.
+///
+/// # Errors
+/// For a name that is no single number, or has a range.
+fn forces_of_the_time(claims: &Claims, model: &mut Model) -> Result<()> {
+    let Some(printed) = &model.printed_lagrangian else { return Ok(()) };
+    let formulas = printed.forces.iter().chain(&printed.constraints).map(|(_, formula)| formula);
+    let roots: Vec<SymbolId> =
+        formulas.chain(&printed.dissipation).flat_map(Expr::symbols).map(|(root, _)| root).collect();
+    let place = printed.place;
+    for free in roots.into_iter().flat_map(|root| leaves(model, root)).collect::<Vec<_>>() {
+        if !matches!(model.meaning(free), Some(Meaning::Varying(_))) || functions::of_the_time(model, free) {
+            continue;
+        }
+        let shown = text::plain(&model.name(free));
+        let message = format!("a force contains {shown}, which varies freely and has a range, or several components");
+        return Err(Error::at(&claims.source, place, message).help(format!(
+            "declare {shown} as \"any\", or as a function \"of t\", and put its range under \"assume\""
+        )));
     }
     Ok(())
 }

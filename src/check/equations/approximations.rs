@@ -5,11 +5,13 @@ use std::cell::OnceCell;
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Relation, SymbolId};
-use crate::notes::claims::Claim;
+use crate::formula::{Expr, Node, Relation, SymbolId, text};
+use crate::latex::{name_search, read_formula};
+use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
+use crate::check::document::inferred::prose;
 use crate::check::document::names::shown;
 use crate::check::hypotheses::rule::Rule;
 use crate::check::kinds::definitions::Approximations;
@@ -18,6 +20,8 @@ use crate::check::kinds::series::{self, Read};
 use crate::check::kinds::small;
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::model::meaning::{Meaning, Variable};
+use crate::check::model::order::derivatives;
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
@@ -55,6 +59,159 @@ impl Checker<'_> {
         let span = place.shifted(context.span.start - from.start);
         let message = self.needs_limit_or_small(link, span);
         Ok(Finding { span, ..context.finding(Code::NeedsLimitOrSmall, Verdict::Unreadable, message) })
+    }
+
+    /// Whether a hypothesis says that the motion is a small oscillation, so that equations hold to first order.
+    pub(crate) fn is_small(&self, latex: &str) -> bool {
+        latex.trim_start().starts_with("small oscillations")
+    }
+
+    /// The finding on an equation that was refuted and holds to first order in all coordinates about a place, where the claim or the
+    /// words before the display say so: a linearised equation is often printed with =. Where small motion cannot be tried, it is not
+    /// decided.
+    ///
+    /// # Errors
+    /// When the system's mass matrix is singular.
+    pub(crate) fn in_first_order(
+        &self,
+        link: &Link,
+        found: Finding,
+        claim: &Claim,
+        context: &Context<'_>,
+    ) -> Result<Finding> {
+        match found.verdict {
+            Verdict::Refuted => Ok(self.to_first_order(link, claim, context)?.unwrap_or(found)),
+            _ => Ok(found),
+        }
+    }
+
+    /// The finding on an equation to first order in all coordinates about a place; `None`, where nothing says that the motion is
+    /// small, and where the equation is false to first order.
+    ///
+    /// # Errors
+    /// When the system's mass matrix is singular.
+    pub(crate) fn to_first_order(&self, link: &Link, claim: &Claim, context: &Context<'_>) -> Result<Option<Finding>> {
+        // A claim that says what is small is about ≈, and = says more.
+        if !claim.small.is_empty() || self.options.deduction || self.model.system.is_none() {
+            return Ok(None);
+        }
+        let Some(said) = self.says_small(claim, context.span) else { return Ok(None) };
+        let open = |message: &str| Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message.to_owned())));
+        let Some(places) = self.places_of(&said) else {
+            return open("does not hold exactly, and about this place it was not tried to first order");
+        };
+        let (small, rates) = self.small_motion(&said, &places);
+        let close = Link { relation: Relation::Approximately, ..link.clone() };
+        match small::of_motion(&close, &small, &rates, context) {
+            Ok(linear) if linear.verdict.holds() => {
+                let message = format!(
+                    "holds to first order in the coordinates about {}; {}",
+                    self.shown(&places),
+                    linear.message
+                );
+                Ok(Some(Finding { message, ..linear }))
+            }
+            // A place with a letter is one of rest, or of a steady motion, under a condition that the claim need not contain.
+            Ok(linear)
+                if linear.code != Code::TooFewStates && places.iter().all(|(_, value)| value.symbols().is_empty()) =>
+            {
+                Ok(None)
+            }
+            _ => open(&format!(
+                "does not hold exactly, and small motion about {} could not be tried",
+                self.shown(&places)
+            )),
+        }
+    }
+
+    /// What a claim says of small oscillations; nothing, where only the words before the display say that the motion is small, and `None`
+    /// where neither does.
+    pub(crate) fn says_small(&self, claim: &Claim, span: Span) -> Option<String> {
+        let said = |latex: &Spanned<String>| {
+            let named = self.claims.conditions.iter().find(|(name, _)| name.value == latex.value);
+            let text = named.map_or(Some(&latex.value), |(_, all)| all.first().map(|latex| &latex.value));
+            text.filter(|text| self.is_small(text)).cloned()
+        };
+        let claimed = claim.assume.iter().chain(&claim.throughout).find_map(said);
+        claimed.or_else(|| prose::speaks_of_small(self.notes, span).then(String::new))
+    }
+
+    /// The ways in which a claim, or the words before its display, say that a motion about a place is small: the coordinates are, or
+    /// their rates too.
+    pub(crate) fn small_motion_of(&self, claim: &Claim, span: Span) -> Option<Vec<Vec<Expr>>> {
+        let is_possible = claim.small.is_empty() && !self.options.deduction && self.model.system.is_some();
+        let said = self.says_small(claim, span).filter(|_| is_possible)?;
+        let (small, rates) = self.small_motion(&said, &self.places_of(&said)?);
+        let both = small.iter().chain(&rates).cloned().collect();
+        Some(vec![small, both])
+    }
+
+    /// The coordinates that these words put in a place other than 0, each with its value; `None`, where they cannot be read. "About
+    /// \theta = \pi, \phi = 0" names one.
+    fn places_of(&self, said: &str) -> Option<Vec<(SymbolId, Expr)>> {
+        let mut places = Vec::new();
+        for equation in said.split(',').filter(|part| part.contains('=')) {
+            let (names, value) = equation.rsplit_once('=')?;
+            let value = read_formula(value.trim(), &mut self.model.symbols.clone(), &self.model.macros).ok()?;
+            let is_fixed = |(id, _): &(SymbolId, u8)| matches!(self.model.meaning(*id), Some(Meaning::Constant(_)));
+            if !value.symbols().iter().all(is_fixed) {
+                return None;
+            }
+            if value.is_zero() {
+                continue;
+            }
+            let named = names.split('=').map(|name| {
+                let is_it = |q: &&Variable| name_search::mentions(name, &self.model.name(q.symbol), &self.model.macros);
+                let mut found = self.model.coordinates.iter().filter(is_it);
+                found.next().map(|q| q.symbol).filter(|_| found.next().is_none())
+            });
+            places.extend(named.collect::<Option<Vec<SymbolId>>>()?.into_iter().map(|q| (q, value.clone())));
+        }
+        Some(places)
+    }
+
+    /// These places in words; 0, if there is none.
+    fn shown(&self, places: &[(SymbolId, Expr)]) -> String {
+        let one = |(q, value): &(SymbolId, Expr)| {
+            format!("{} = {}", text::plain(&self.model.name(*q)), text::formula(value, &self.model.symbols))
+        };
+        if places.is_empty() { "0".to_owned() } else { places.iter().map(one).collect::<Vec<_>>().join(", ") }
+    }
+
+    /// The coordinates that are small in a small motion, as distances from their places, and their rates, without what constraints
+    /// give: of each the last coordinate in it that `named` does not name.
+    fn small_motion(&self, named: &str, places: &[(SymbolId, Expr)]) -> (Vec<Expr>, Vec<Expr>) {
+        let model = self.model;
+        let multipliers = model.system.as_ref().map_or(&[][..], |system| system.multipliers());
+        let is_multiplier = |at: usize| multipliers.contains(&at);
+        let all: Vec<SymbolId> = model.coordinates.iter().map(|q| q.symbol).collect();
+        let is_named = |q: SymbolId| name_search::mentions(named, &model.name(q), &model.macros);
+        let free = all.iter().enumerate().filter(|(at, _)| !is_multiplier(*at)).map(|(_, q)| *q);
+        let order: Vec<SymbolId> = free.collect();
+        let (mut given, mut given_rates): (Vec<SymbolId>, Vec<SymbolId>) = (Vec::new(), Vec::new());
+        for constraint in model.constraints.iter().map(|known| &known.lhs) {
+            if matches!(constraint.node, Node::TimeDerivative(..)) {
+                // The rate of a constraint that was there before it.
+                continue;
+            }
+            let is_rolling = derivatives(constraint, model) > 0;
+            let dots = u8::from(is_rolling);
+            let symbols = constraint.symbols();
+            let list = if is_rolling { &mut given_rates } else { &mut given };
+            let stands = |q: &&SymbolId| symbols.contains(&(**q, dots)) && !list.contains(*q);
+            let unnamed = order.iter().filter(|q| !is_named(**q)).rfind(stands);
+            let next = unnamed.or_else(|| order.iter().rfind(stands)).copied();
+            list.extend(next);
+        }
+        let quantity =
+            |q: &SymbolId, dots: u8| Expr::new(Node::Symbol { id: *q, indices: Vec::new(), dots }, Span::default());
+        let small: Vec<SymbolId> = all.into_iter().filter(|q| order.contains(q) && !given.contains(q)).collect();
+        let rates = small.iter().filter(|q| !given_rates.contains(q)).map(|q| quantity(q, 1)).collect();
+        let distance = |q: &SymbolId| match places.iter().find(|(other, _)| other == q) {
+            Some((_, place)) => quantity(q, 0).minus(place.clone()),
+            None => quantity(q, 0),
+        };
+        (small.iter().map(distance).collect(), rates)
     }
 }
 

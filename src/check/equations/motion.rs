@@ -3,21 +3,18 @@
 use crate::Result;
 use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, SymbolId, text};
-use crate::latex::{Reading, name_search};
+use crate::latex::Reading;
 use crate::notes::claims::{Claim, Spanned};
-use crate::source::Span;
 
 use crate::check::document::checker::Checker;
-use crate::check::document::inferred::prose;
 use crate::check::document::names::shown;
 use crate::check::judge::identity;
 use crate::check::kinds::initial_values;
 use crate::check::kinds::mechanics::same_motion;
 use crate::check::kinds::printed_solution::Solution;
-use crate::check::kinds::{small, solution};
+use crate::check::kinds::solution;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::model::meaning::Meaning;
-use crate::check::model::order::derivatives;
 use crate::check::sample::context::{Context, Options};
 use crate::check::sample::outcome::run;
 use crate::check::sample::setting::FEWEST;
@@ -219,115 +216,6 @@ impl Checker<'_> {
             }
         }
         (text != latex).then_some(text)
-    }
-
-    /// Whether a hypothesis says that the motion is a small oscillation, so that equations hold to first order.
-    pub(crate) fn is_small(&self, latex: &str) -> bool {
-        latex.trim_start().starts_with("small oscillations")
-    }
-
-    /// The finding on an equation that was refuted and holds to first order in all coordinates about 0, where the claim or the words
-    /// before the display say so: a linearised equation is often printed with =. Where small motion cannot be tried, it is not decided.
-    ///
-    /// # Errors
-    /// When the system's mass matrix is singular.
-    pub(crate) fn in_first_order(
-        &self,
-        link: &Link,
-        found: Finding,
-        claim: &Claim,
-        context: &Context<'_>,
-    ) -> Result<Finding> {
-        match found.verdict {
-            Verdict::Refuted => Ok(self.to_first_order(link, claim, context)?.unwrap_or(found)),
-            _ => Ok(found),
-        }
-    }
-
-    /// The finding on an equation to first order in all coordinates about 0; `None`, where nothing says that the motion is small, and
-    /// where the equation is false to first order.
-    ///
-    /// # Errors
-    /// When the system's mass matrix is singular.
-    pub(crate) fn to_first_order(&self, link: &Link, claim: &Claim, context: &Context<'_>) -> Result<Option<Finding>> {
-        // A claim that says what is small is about ≈, and = says more.
-        if !claim.small.is_empty() || self.options.deduction || self.model.system.is_none() {
-            return Ok(None);
-        }
-        let Some(said) = self.says_small(claim, context.span) else { return Ok(None) };
-        // About another place the coordinates themselves are not small.
-        let is_zero = |value: &str| value.split(',').next().is_some_and(|value| value.trim() == "0");
-        if !said.split('=').skip(1).all(is_zero) {
-            let message = "does not hold exactly, and about this place it was not tried to first order";
-            return Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message)));
-        }
-        let (small, rates) = self.small_motion(&said);
-        let close = Link { relation: Relation::Approximately, ..link.clone() };
-        Ok(match small::of_motion(&close, &small, &rates, context) {
-            Ok(linear) if linear.verdict.holds() => Some(Finding {
-                message: format!("holds to first order in the coordinates about 0; {}", linear.message),
-                ..linear
-            }),
-            Ok(linear) if linear.code != Code::TooFewStates => None,
-            _ => {
-                let message = "does not hold exactly, and small motion about 0 could not be tried";
-                Some(context.finding(Code::NotDecided, Verdict::Undecided, message))
-            }
-        })
-    }
-
-    /// What a claim says of small oscillations; nothing, where only the words before the display say that the motion is small, and `None`
-    /// where neither does.
-    pub(crate) fn says_small(&self, claim: &Claim, span: Span) -> Option<String> {
-        let said = |latex: &Spanned<String>| {
-            let named = self.claims.conditions.iter().find(|(name, _)| name.value == latex.value);
-            let text = named.map_or(Some(&latex.value), |(_, all)| all.first().map(|latex| &latex.value));
-            text.filter(|text| self.is_small(text)).cloned()
-        };
-        let claimed = claim.assume.iter().chain(&claim.throughout).find_map(said);
-        claimed.or_else(|| prose::speaks_of_small(self.notes, span).then(String::new))
-    }
-
-    /// The ways in which a claim, or the words before its display, say that a motion about 0 is small: the coordinates are, or their
-    /// rates too.
-    pub(crate) fn small_motion_of(&self, claim: &Claim, span: Span) -> Option<Vec<Vec<Expr>>> {
-        let is_possible = claim.small.is_empty() && !self.options.deduction && self.model.system.is_some();
-        let said = self.says_small(claim, span).filter(|_| is_possible)?;
-        let (small, rates) = self.small_motion(&said);
-        let both = small.iter().chain(&rates).cloned().collect();
-        Some(vec![small, both])
-    }
-
-    /// The coordinates that are small in a small motion about 0, and their rates, without what constraints give: of each the last
-    /// coordinate in it that `named` does not name.
-    fn small_motion(&self, named: &str) -> (Vec<Expr>, Vec<Expr>) {
-        let model = self.model;
-        let multipliers = model.system.as_ref().map_or(&[][..], |system| system.multipliers());
-        let is_multiplier = |at: usize| multipliers.contains(&at);
-        let all: Vec<SymbolId> = model.coordinates.iter().map(|q| q.symbol).collect();
-        let is_named = |q: SymbolId| name_search::mentions(named, &model.name(q), &model.macros);
-        let free = all.iter().enumerate().filter(|(at, _)| !is_multiplier(*at)).map(|(_, q)| *q);
-        let order: Vec<SymbolId> = free.collect();
-        let (mut given, mut given_rates): (Vec<SymbolId>, Vec<SymbolId>) = (Vec::new(), Vec::new());
-        for constraint in model.constraints.iter().map(|known| &known.lhs) {
-            if matches!(constraint.node, Node::TimeDerivative(..)) {
-                // The rate of a constraint that was there before it.
-                continue;
-            }
-            let is_rolling = derivatives(constraint, model) > 0;
-            let dots = u8::from(is_rolling);
-            let symbols = constraint.symbols();
-            let list = if is_rolling { &mut given_rates } else { &mut given };
-            let stands = |q: &&SymbolId| symbols.contains(&(**q, dots)) && !list.contains(*q);
-            let unnamed = order.iter().filter(|q| !is_named(**q)).rfind(stands);
-            let next = unnamed.or_else(|| order.iter().rfind(stands)).copied();
-            list.extend(next);
-        }
-        let quantity =
-            |q: &SymbolId, dots: u8| Expr::new(Node::Symbol { id: *q, indices: Vec::new(), dots }, Span::default());
-        let small: Vec<SymbolId> = all.into_iter().filter(|q| order.contains(q) && !given.contains(q)).collect();
-        let rates = small.iter().filter(|q| !given_rates.contains(q)).map(|q| quantity(q, 1)).collect();
-        (small.iter().map(|q| quantity(q, 0)).collect(), rates)
     }
 
     /// Whether a claim is about a motion that starts with given values.

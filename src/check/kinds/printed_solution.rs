@@ -105,7 +105,13 @@ pub(crate) fn constants_of_integration(solution: &Solution, model: &Model) -> Ve
     let of_motion = match lagrangian {
         Some((id, _)) => {
             let node = Node::Symbol { id, indices: Vec::new(), dots: 0 };
-            free_symbols::drawn(&[&Expr::new(node, solution.formula.span)], model)
+            let lagrangian = Expr::new(node, solution.formula.span);
+            // The motion depends on the forces beside the Lagrangian too, and on the constraints.
+            let beside = model.printed_lagrangian.iter().flat_map(|printed| {
+                let formulas = printed.forces.iter().chain(&printed.constraints).map(|(_, formula)| formula);
+                formulas.chain(&printed.dissipation)
+            });
+            free_symbols::drawn(&std::iter::once(&lagrangian).chain(beside).collect::<Vec<_>>(), model)
         }
         None if model.system.is_none() => {
             let laws = model.laws.iter().flat_map(|law| &law.hypotheses);

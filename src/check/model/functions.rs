@@ -97,24 +97,9 @@ impl Builder<'_> {
             variables.push(Variable { id, indices, dots: 0 });
         }
         let name = self.name(latex)?;
-        let mut terms = Vec::new();
-        for powers in exponents(variables.len(), degree) {
-            let mut named = name.clone();
-            named.subscript.push("(".to_owned());
-            named.subscript.extend(powers.iter().map(u32::to_string));
-            named.subscript.push(")".to_owned());
-            let coefficient = self.model.symbols.add(named, Kind::Scalar).ok_or_else(|| {
-                self.error(latex, format!("{name} is declared twice")).help("remove one of the two declarations")
-            })?;
-            self.model.symbols.entry_mut(coefficient).hidden = true;
-            self.model.mean(coefficient, Meaning::Constant(self.model.constants.len()));
-            self.model.constants.push(Drawn::number(coefficient, Range::Any));
-            terms.push((coefficient, powers));
-        }
-        let function = Arc::new(AnyFunction { name: name.clone(), terms, degree });
-        for (coefficient, _) in &function.terms {
-            self.model.symbols.entry_mut(*coefficient).coefficient = Some(function.clone());
-        }
+        let function = polynomial(&mut self.model, &name, variables.len(), degree).ok_or_else(|| {
+            self.error(latex, format!("{name} is declared twice")).help("remove one of the two declarations")
+        })?;
         let own: Vec<Expr> = variables.iter().map(own).collect();
         let value = any_function::at(&function, &vec![0; variables.len()], &own, Span::default());
         let id = self.add(latex, Kind::Scalar, Meaning::Defined(Box::new(value.clone())))?;
@@ -181,6 +166,60 @@ impl Builder<'_> {
             .collect();
         Name::plain(format!("\\frac{{\\partial{} {name}}}{{{below}}}", power(total)))
     }
+}
+
+/// Makes a number that varies freely a function of the time with free coefficients, so that its rates are known beside those of the
+/// coordinates. Returns whether that is possible: not for a vector, a family, and a number with a range that the function may leave.
+pub(crate) fn of_the_time(model: &mut Model, id: SymbolId) -> bool {
+    let Some(Meaning::Varying(at)) = model.meaning(id) else { return false };
+    let at = *at;
+    let drawn = &model.varying[at];
+    if drawn.numbers != 1 || !matches!(drawn.range, Range::Any | Range::Angle) {
+        return false;
+    }
+    let time = model.symbols.time.as_ref().and_then(|time| model.symbols.find(time)).map(|(id, _)| id);
+    let Some(time) = time.filter(|id| matches!(model.meaning(*id), Some(Meaning::Time))) else { return false };
+    let name = model.symbols.entry(id).name.clone();
+    let Some(function) = polynomial(model, &name, 1, DEGREES[0]) else { return false };
+    let value = any_function::at(
+        &function,
+        &[0],
+        &[own(&Variable { id: time, indices: Vec::new(), dots: 0 })],
+        Span::default(),
+    );
+    model.symbols.mark_defined(id, &value, false);
+    model.mean(id, Meaning::Defined(Box::new(value)));
+    model.varying.remove(at);
+    for later in at..model.varying.len() {
+        let symbol = model.varying[later].symbol;
+        model.mean(symbol, Meaning::Varying(later));
+    }
+    model.inferred.push(format!(
+        "{} is any smooth function of the time, since a force contains it",
+        text::plain(&model.name(id))
+    ));
+    true
+}
+
+/// A polynomial of so many variables with free coefficients, which are new constants; `None` if it has these already.
+fn polynomial(model: &mut Model, name: &Name, variables: usize, degree: u32) -> Option<Arc<AnyFunction>> {
+    let mut terms = Vec::new();
+    for powers in exponents(variables, degree) {
+        let mut named = name.clone();
+        named.subscript.push("(".to_owned());
+        named.subscript.extend(powers.iter().map(u32::to_string));
+        named.subscript.push(")".to_owned());
+        let coefficient = model.symbols.add(named, Kind::Scalar)?;
+        model.symbols.entry_mut(coefficient).hidden = true;
+        model.mean(coefficient, Meaning::Constant(model.constants.len()));
+        model.constants.push(Drawn::number(coefficient, Range::Any));
+        terms.push((coefficient, powers));
+    }
+    let function = Arc::new(AnyFunction { name: name.clone(), terms, degree });
+    for (coefficient, _) in &function.terms {
+        model.symbols.entry_mut(*coefficient).coefficient = Some(function.clone());
+    }
+    Some(function)
 }
 
 /// An argument as a formula.

@@ -29,6 +29,9 @@ const SECULAR: [&str; 5] = ["secular", "characteristic", "säkular", "charakteri
 /// Words for what solves such an equation, as they begin.
 const ROOTS: [&str; 5] = ["root", "solution", "wurzel", "lösung", "racine"];
 
+/// The most words from "roots" to the equation that has them, as in "the roots of this secular equation".
+const FARTHEST_ROOT: usize = 3;
+
 /// The letters of frequencies, with which their names begin.
 const LETTERS: [&str; 3] = ["\\omega", "\\Omega", "\\nu"];
 
@@ -136,20 +139,34 @@ fn about(notes_names: &NotesNames<'_>, at: usize, words: &Sentence, places: &[Pl
         };
         words.formulas.iter().any(is_it) || notes_names.mentions(at, &place.value)
     };
+    let is_referred_to = words.has_word(&["it", "this", "there", "dort"]);
+    let said = words.formulas.iter().rev().find(is_place).cloned();
+    // "The highest point, $\theta = \pi$, is stable. There the frequency is" is about the place of the sentence before.
+    let before = || Sentence::all_before(notes_names.notes, at).into_iter().rev().nth(1);
+    let told = || before()?.formulas.iter().rev().find(is_place).cloned();
+    let told = if is_referred_to && said.is_none() { told() } else { None };
     // "About it", and about no other place where the coordinate cannot be 0.
-    let is_last =
-        |place: &&Place| place.at < at && (words.has_word(&["it", "this", "there", "dort"]) || !place.may_be_zero);
-    if let Some(place) = places.iter().find(names_it).or(places.iter().rev().find(is_last)) {
+    let is_last = |place: &&Place| place.at < at && (is_referred_to || !place.may_be_zero);
+    let last = || places.iter().rev().filter(|_| told.is_none()).find(is_last);
+    if let Some(place) = places.iter().find(names_it).or_else(last) {
         return About { place: format!(" about {} = {}", place.coordinate, place.value), under: place.under.clone() };
     }
-    let said = words.formulas.iter().rev().find(is_place).map(|said| format!(" about {said}"));
-    About { place: said.unwrap_or_default(), under: Vec::new() }
+    let place = told.or(said).map(|place| format!(" about {place}")).unwrap_or_default();
+    About { place, under: Vec::new() }
+}
+
+/// Whether words say that what follows are the roots of a secular equation, and not that equation: "the roots of the secular equation
+/// are", "the secular equation has the solutions". Solutions that are sought are none: "if we seek solutions …, the secular equation is".
+fn gives_roots(words: &Sentence) -> bool {
+    let (roots, equation) = (words.places(&ROOTS), words.places(&SECULAR));
+    let is_of_it = |root: &usize| equation.iter().any(|at| at < root || at - root <= FARTHEST_ROOT);
+    roots.iter().any(is_of_it)
 }
 
 /// What a display says that the words call a secular equation.
 fn secular_equation(notes_names: &NotesNames<'_>, at: usize, words: &Sentence) -> Option<ProseClaim> {
     if !words.says(&SECULAR)
-        || words.says(&ROOTS)
+        || gives_roots(words)
         || notes_names.has_coordinates(at)
         || notes_names.equality(at).is_none()
     {

@@ -91,6 +91,12 @@ impl Sentence {
         self.words.iter().any(|word| stems.iter().any(|stem| word.starts_with(stem)))
     }
 
+    /// The places of the words that begin with one of these letters.
+    pub fn places(&self, stems: &[&str]) -> Vec<usize> {
+        let begins = |word: &String| stems.iter().any(|stem| word.starts_with(stem));
+        (0..self.words.len()).filter(|at| begins(&self.words[*at])).collect()
+    }
+
     /// Whether one of these is a word of it.
     pub fn has_word(&self, words: &[&str]) -> bool {
         self.words.iter().any(|word| words.contains(&word.as_str()))

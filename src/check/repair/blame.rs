@@ -2,17 +2,24 @@
 //!
 //! A slip in the Lagrangian makes most displays fail, and one edit of it makes all of these hold. Then one slip there is far likelier than
 //! one in each of them. So the display of the Lagrangian is called wrong, and the others are left open: they follow once it is corrected.
-//! The same is done where a display is false itself, and an edit that corrects it corrects others too.
+//! The same is done where a display is false itself, and an edit that corrects it corrects others too, and where a definition is
+//! contradicted by several displays and no edit of one of these corrects that one.
+//!
+//! A definition that only wrong displays use is not tested. Where edits of these displays themselves correct them, that is no failure of
+//! its own: there is one slip, and it is reported once. Where it has one user, and only an edit of the definition corrects that, the
+//! definition is wrong.
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
 use crate::check::document::printed_lagrangian;
+use crate::check::document::setup::Run;
 use crate::check::model::meaning::Variable;
 use crate::check::model::order::order;
 use crate::check::repair::items::SharedEdit;
 use crate::check::repair::shared_edit::is_refuted;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::{Finding, Inherited};
+use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
 use crate::formula::Expr;
@@ -44,7 +51,7 @@ impl Checker<'_> {
 
     /// The place in the report of the one display of which edits correct several displays, where it is wrong and these are not: it is
     /// false itself, or it is a part of the Lagrangian and many displays contradict it.
-    pub(crate) fn blamed(&self, best: &[SharedEdit], equations: &[Equation]) -> Option<usize> {
+    pub(crate) fn blamed(&self, run: &Run<'_>, best: &[SharedEdit], equations: &[Equation]) -> Option<usize> {
         let first = best.first()?;
         let nth = equations.iter().position(|equation| self.display_of(equation) == Some(first.at))?;
         let corrected: Vec<usize> = first.repaired.iter().filter_map(|(item, _)| item.display()).collect();
@@ -53,7 +60,109 @@ impl Checker<'_> {
         let is_false = is_refuted(&equations[nth]) && corrected.contains(&first.at) && corrected.len() > 1;
         let is_contradicted = moves && equations[nth].ok && corrected.len() >= BLAMED;
         let is_alone = best.iter().all(|other| other.at == first.at);
-        ((is_false || is_contradicted) && is_alone).then_some(nth)
+        let is_a_definition = || {
+            let is_one = equations[nth].ok && !equations[nth].finding.verdict.holds();
+            let is_one = is_one || self.is_used_by_wrong_displays_only(&equations[nth]);
+            !introduced.is_empty() && !moves && is_one && corrected.len() > 1
+        };
+        let is_beyond_edits = || corrected.iter().any(|at| !self.has_own_edit(run, *at, equations));
+        (is_alone && (is_false || is_contradicted || is_a_definition() && is_beyond_edits())).then_some(nth)
+    }
+
+    /// Whether an edit of a display that is wrong corrects it. Where each display that contradicts a definition has one, they may all
+    /// have copied the same slip.
+    fn has_own_edit(&self, run: &Run<'_>, at: usize, equations: &[Equation]) -> bool {
+        let Some(equation) = equations.iter().find(|equation| self.display_of(equation) == Some(at)) else {
+            return true;
+        };
+        self.with_repairs(run, at, equation.clone(), false)
+            .map_or(true, |found| found.repairs.iter().any(|repair| self.is_edit_of(at, repair)))
+    }
+
+    /// The equations, in which a definition that only wrong displays use is judged by the edits of these: if edits of these displays
+    /// themselves correct them, it is no failure, since it is tested once they are corrected. If one edit of the definition corrects
+    /// its only user, and no edit of that user does, the definition is wrong.
+    pub(crate) fn with_definitions_of_wrong_displays(&self, mut equations: Vec<Equation>) -> Vec<Equation> {
+        for nth in 0..equations.len() {
+            let Some((user, repair)) = self.contradicted_by_its_only_user(nth, &equations) else { continue };
+            let Some(at) = self.display_of(&equations[user]) else { continue };
+            equations[nth].repairs = vec![Repair { verdict: Verdict::Definition, ..repair }];
+            self.blame(&mut equations, nth, &[at]);
+        }
+        self.without_definitions_of_wrong_displays(equations)
+    }
+
+    /// The only wrong display that uses a definition which nothing else tests, with the edit of the definition that corrects it, where
+    /// no edit of its own does.
+    fn contradicted_by_its_only_user(&self, nth: usize, equations: &[Equation]) -> Option<(usize, Repair)> {
+        let (equation, at) = (&equations[nth], self.display_of(&equations[nth])?);
+        if !self.is_used_by_wrong_displays_only(equation) {
+            return None;
+        }
+        let mut users = (0..equations.len()).filter(|other| self.is_a_wrong_user(&equations[*other], at));
+        let user = users.next().filter(|_| users.next().is_none())?;
+        let is_meant = is_refuted(&equations[user]) && equations[user].finding.follows_from.is_none();
+        let repairs = &equations[user].repairs;
+        let own = self.display_of(&equations[user])?;
+        let first = repairs.first().filter(|repair| is_meant && self.is_edit_of(at, repair))?;
+        (!repairs.iter().any(|repair| self.is_edit_of(own, repair))).then(|| (user, first.clone()))
+    }
+
+    /// Whether a repair edits a display, and makes no new term.
+    fn is_edit_of(&self, at: usize, repair: &Repair) -> bool {
+        self.notes.equations[at].body.contains(repair.span) && repair.is_in_the_notes(&self.notes.source.text)
+    }
+
+    /// Whether an equation is open only since no passing display uses the names that it defines.
+    fn is_used_by_wrong_displays_only(&self, equation: &Equation) -> bool {
+        let is_it = |finding: &Finding| finding.code == Code::DefinitionUsersFail;
+        let is_meant = match equation.parts.is_empty() {
+            true => is_it(&equation.finding),
+            false => equation.parts.iter().all(|part| part.ok || is_it(&part.finding)),
+        };
+        !equation.ok && equation.because.is_none() && is_meant
+    }
+
+    /// Whether an equation is wrong and depends on a display.
+    fn is_a_wrong_user(&self, equation: &Equation, at: usize) -> bool {
+        !equation.ok && self.display_of(equation).is_some_and(|other| other != at && self.depends_on_display(other, at))
+    }
+
+    /// The equations, in which a definition is no failure that only wrong displays use, if edits of these displays themselves correct
+    /// them.
+    fn without_definitions_of_wrong_displays(&self, mut equations: Vec<Equation>) -> Vec<Equation> {
+        let corrects_itself = |equation: &Equation| {
+            is_refuted(equation)
+                && equation.finding.follows_from.is_none()
+                && self
+                    .display_of(equation)
+                    .zip(equation.repairs.first())
+                    .is_some_and(|(at, repair)| self.is_edit_of(at, repair))
+        };
+        let root = |nth: usize| -> Option<String> {
+            let equation = &equations[nth];
+            let at = self.display_of(equation)?;
+            if !self.is_used_by_wrong_displays_only(equation) {
+                return None;
+            }
+            let mut users = equations.iter().filter(|other| self.is_a_wrong_user(other, at));
+            let first = users.next().filter(|first| corrects_itself(first))?;
+            users.all(corrects_itself).then(|| first.id.clone())
+        };
+        let roots: Vec<Option<String>> = (0..equations.len()).map(root).collect();
+        for (equation, root) in equations.iter_mut().zip(roots) {
+            let Some(root) = root else { continue };
+            let excuse = |finding: &mut Finding, ok: &mut bool| {
+                if !*ok {
+                    *ok = true;
+                    finding.message.push_str(&format!("; ({root}) tests it once ({root}) is corrected"));
+                    finding.follows_from = Some(Inherited { from: root.clone(), root: root.clone() });
+                }
+            };
+            excuse(&mut equation.finding, &mut equation.ok);
+            equation.parts.iter_mut().for_each(|part| excuse(&mut part.finding, &mut part.ok));
+        }
+        equations
     }
 
     /// Calls a display wrong that others contradict, and leaves these open: they follow once it is corrected.
@@ -62,11 +171,19 @@ impl Checker<'_> {
         let names = corrected.iter().map(|at| shown(&self.notes.equations[*at]));
         let names: Vec<String> = names.filter(|name| *name != id).collect();
         let Some((first, others)) = names.split_first() else { return };
+        let is_open = self.is_used_by_wrong_displays_only(&equations[nth]);
         let blamed = &mut equations[nth];
-        if blamed.ok {
-            let count = others.len();
-            let message =
-                format!("({first}) and {count} other displays contradict this, and one edit of it corrects that");
+        if blamed.ok || is_open {
+            let message = match others {
+                [] => format!(
+                    "({first}) contradicts this; an edit of this display corrects ({first}), and no edit of ({first}) does"
+                ),
+                [other] => format!("({first}) and ({other}) contradict this, and one edit of it corrects that"),
+                _ => format!(
+                    "({first}) and {} other displays contradict this, and one edit of it corrects that",
+                    others.len()
+                ),
+            };
             let span = blamed.finding.span;
             blamed.finding = Finding::new(Code::DefinitionContradicted, Verdict::Refuted, span, message);
             (blamed.ok, blamed.parts) = (false, Vec::new());

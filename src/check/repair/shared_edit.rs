@@ -135,7 +135,7 @@ impl Checker<'_> {
             (changes_a_half(text, edit), kind)
         });
         best.truncate(OFFERED);
-        let blamed = self.blamed(&best, &equations);
+        let blamed = self.blamed(run, &best, &equations);
         for SharedEdit { at, edit, repaired } in best.into_iter().rev() {
             let repairs = self.shared_repairs(at, &edit, &repaired);
             let offer = |equation: &mut Equation, repair: &Repair| {

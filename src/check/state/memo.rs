@@ -47,6 +47,8 @@ pub(crate) struct Memo<B: Number> {
     pub(crate) tensors: RefCell<Vec<KnownTensor<B>>>,
     /// Symbols with an equation of motion, with the known terms while the next ones are computed.
     pub(crate) following: RefCell<Vec<(SymbolId, MemberValues<B>)>>,
+    /// The terms that are known of a symbol after it was followed while others were. They hold, and the others need no more of them yet.
+    pub(crate) begun: RefCell<std::collections::BTreeMap<SymbolId, MemberValues<B>>>,
     /// The same symbols when all terms are known.
     pub(crate) followed: RefCell<std::collections::BTreeMap<SymbolId, MemberValues<B>>>,
 }
@@ -61,6 +63,7 @@ impl<B: Number> Default for Memo<B> {
             nodes: RefCell::default(),
             tensors: RefCell::default(),
             following: RefCell::default(),
+            begun: RefCell::default(),
             followed: RefCell::default(),
         }
     }
@@ -70,6 +73,7 @@ impl<B: Number> Memo<B> {
     /// Clears everything, after a change of the inputs.
     pub(crate) fn forget(&self) {
         self.forget_values();
+        self.begun.borrow_mut().clear();
         self.followed.borrow_mut().clear();
         self.nodes.borrow_mut().clear();
         self.tensors.borrow_mut().clear();

@@ -87,9 +87,14 @@ impl<B: Number> SampledState<'_, B> {
             terms = terms.max(free.entries().first().map_or(0, Series::known));
             known.push(free.map(|x| x.truncated(order)));
         }
+        // Laws that contain each other are followed within one another. Terms that were found then are not sought again.
+        if let Some(begun) = self.memo.begun.borrow().get(&rule.symbol) {
+            known.clone_from(begun);
+        }
         let wrong = || Unavailable::Operation("a sum of terms of different shapes");
+        let known_terms = |known: &MemberValues<B>| known_to(known).unwrap_or(order);
         let mut values: MemberValues<B> = Vec::new();
-        for next in order..terms {
+        for next in known_terms(&known)..terms {
             // Values that were found with fewer derivatives may have enough terms.
             let enough = |value: &Value<Series<B>>| value.entries().iter().all(|x| x.known() > next - order);
             if values.is_empty() || !values.iter().all(enough) {
@@ -123,10 +128,16 @@ impl<B: Number> SampledState<'_, B> {
                     Value::Matrix(_) | Value::Complex(_) => return Err(wrong()),
                 };
             }
+            // What the symbols that are followed around this one do not give yet, no further step gives.
+            if known_to(&known).is_some_and(|terms| terms <= next) {
+                break;
+            }
         }
         let member = known.get(place).cloned();
         if self.memo.following.borrow().is_empty() {
             self.memo.followed.borrow_mut().insert(rule.symbol, known);
+        } else if known_to(&known).is_some() {
+            self.memo.begun.borrow_mut().insert(rule.symbol, known);
         }
         Ok(member)
     }
@@ -140,6 +151,13 @@ impl<B: Number> SampledState<'_, B> {
         }
         Ok(members)
     }
+}
+
+/// The number of terms to which all members are known; `None`, where it differs among them.
+fn known_to<B: Number>(members: &MemberValues<B>) -> Option<usize> {
+    let mut terms = members.iter().flat_map(Value::entries).map(|entry| entry.known());
+    let first = terms.next()?;
+    terms.all(|other| other == first).then_some(first)
 }
 
 /// Every list with every value up to `count` after it.

@@ -5,7 +5,7 @@
 //! defines nothing, and neither does a name that the prose gives two formulas. The Lagrangian is the kinetic less the
 //! potential energy, where the claims file says which these are and no formula defines it.
 
-use crate::formula::{Expr, text};
+use crate::formula::{Expr, SymbolId, text};
 use crate::latex::{Reading, name_search};
 use crate::notes::Notes;
 use crate::notes::claims::{Claims, Spanned};
@@ -113,18 +113,20 @@ struct Said {
     left: String,
     formula: String,
     line: usize,
+    /// Whether it names a quantity after "for": "for the distance $r = x_1 - x_2$". It may be a case, unless the formula moves.
+    is_after_for: bool,
 }
 
 impl Said {
     /// What an equality of a name, its square, or a multiple of these says.
-    fn of(left: &str, formula: &str, line: usize) -> Self {
+    fn of(left: &str, formula: &str, line: usize, is_after_for: bool) -> Self {
         let number: String = left.chars().take_while(char::is_ascii_digit).collect();
         let left = left[number.len()..].trim_start().to_owned();
         let formula = match number.as_str() {
             "" => formula.to_owned(),
             number => format!("\\frac{{{formula}}}{{{number}}}"),
         };
-        Said { name: without_square(&left).to_owned(), left, formula, line }
+        Said { name: without_square(&left).to_owned(), left, formula, line, is_after_for }
     }
 }
 
@@ -146,9 +148,10 @@ impl Prose {
             let is_one = !["<", ">", "\\approx", "\\to", "\\ne", "\\le", "\\ge", ",", "\\pm", "\\mp"]
                 .iter()
                 .any(|mark| formula.contains(mark));
-            let is_meant = is_one && (is_announced(notes, *span) || !follows_condition(notes, *span));
+            let is_meant = is_announced(notes, *span) || !follows_condition(notes, *span);
+            let is_after_for = !is_meant && is_for_a_quantity(notes, *span);
             let line = 1 + notes.source.text[..span.start].matches('\n').count();
-            is_meant.then(|| Said::of(name.trim(), formula.trim(), line))
+            (is_one && (is_meant || is_after_for)).then(|| Said::of(name.trim(), formula.trim(), line, is_after_for))
         };
         Prose(notes.inline.iter().filter_map(said).collect())
     }
@@ -189,7 +192,25 @@ impl Prose {
         let Some(first) = own.next().filter(|first| own.all(|other| said(other) == said(first))) else {
             return false;
         };
-        defines(claims, (&first.left, &first.formula), model, &format!("as line {} of the notes says", first.line))
+        let mut with = model.clone();
+        if !defines(
+            claims,
+            (&first.left, &first.formula),
+            &mut with,
+            &format!("as line {} of the notes says", first.line),
+        ) {
+            return false;
+        }
+        // "For the frequency $\\omega = 2\\omega_0$" is a case; what moves and has a formula is a name for it.
+        let found = name_search::parse_decorated(name).and_then(|name| with.symbols.find(&name)).map(|(id, _)| id);
+        let moves = |id: SymbolId| {
+            with.coordinates.iter().chain(&with.varying).any(|q| with.symbol_depends_on(id, &[q.symbol]))
+        };
+        let stands = !first.is_after_for || found.is_some_and(moves);
+        if stands {
+            *model = with;
+        }
+        stands
     }
 }
 
@@ -249,10 +270,8 @@ pub(crate) fn is_announced(notes: &Notes, span: Span) -> bool {
 pub(crate) fn is_named(notes: &Notes, span: Span) -> bool {
     let words = words_before(notes, span);
     let is_alone = words.iter().all(|word| ["and", "here"].contains(&word.as_str()));
-    let is_quantity = |word: &String| {
-        let is_it = |name: &&str| word.strip_prefix(*name).is_some_and(|rest| ["", "s", "es"].contains(&rest));
-        QUANTITIES.iter().any(is_it) || ["is", "are", "by", "called", "denote"].contains(&word.as_str())
-    };
+    let is_quantity =
+        |word: &String| is_quantity(word) || ["is", "are", "by", "called", "denote"].contains(&word.as_str());
     let gives_names = last(&words, &["name", "naming", "call", "calling", "abbreviating", "denoting"]).is_some();
     let is_said = is_alone || gives_names || words.last().is_some_and(is_quantity);
     // "The speed at k_0 is half of the group velocity v_0 = …": the condition is over with the verb.
@@ -261,6 +280,21 @@ pub(crate) fn is_named(notes: &Notes, span: Span) -> bool {
             .is_some_and(|verb| verb > condition && verb + 1 < words.len())
     };
     is_said && last(&words, &CONDITION).is_none_or(is_over)
+}
+
+/// Whether a word is one for what a letter may be.
+fn is_quantity(word: &str) -> bool {
+    let is_it = |name: &&str| word.strip_prefix(*name).is_some_and(|rest| ["", "s", "es"].contains(&rest));
+    QUANTITIES.iter().any(is_it)
+}
+
+/// Whether a formula, or those beside it, stand directly after "for the" and a word for a quantity.
+fn is_for_a_quantity(notes: &Notes, span: Span) -> bool {
+    let mut words = words_before(notes, span);
+    if words.last().is_some_and(|word| word == "and") {
+        words.pop();
+    }
+    matches!(words.as_slice(), [.., before, article, word] if before == "for" && article == "the" && is_quantity(word))
 }
 
 /// Whether the sentence of a formula begins with a condition.

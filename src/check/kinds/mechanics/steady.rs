@@ -83,7 +83,13 @@ pub(crate) fn check(square: &Expr, what: &str, place: &[Hypothesis], context: &C
         return Ok(None);
     }
     let context = &Context { hypotheses: &lasting, on_shell: Some(true), ..*context };
-    let found = identity::check(&link, context)?;
+    let mut found = identity::check(&link, context)?;
+    if found.verdict == Verdict::Refuted
+        && own.len() == 1
+        && found.counterexample.as_ref().is_some_and(|shown| shown.rhs <= 0.0)
+    {
+        found = where_stable(&link, found, context)?;
+    }
     let known = format!("is the {what} of small oscillations: ω² = K/M there");
     // A frequency exists where the place is stable, and is claimed there.
     if found.code == Code::DomainDiffers {
@@ -100,6 +106,18 @@ pub(crate) fn check(square: &Expr, what: &str, place: &[Hypothesis], context: &C
         Verdict::Refuted => Finding { message: format!("is not the {what} of small oscillations"), ..found },
         _ => found,
     }))
+}
+
+/// The finding on ω² = K/M, which was refuted where K/M is negative, at states where the place is stable: only there is there a
+/// frequency, and only there is one claimed. The same finding, where no such state is found.
+fn where_stable(link: &Link, found: Finding, context: &Context<'_>) -> Result<Finding> {
+    let zero = Expr::integer(0, Span::default());
+    let (lhs, rhs) = (link.rhs.clone(), zero);
+    let stable = Link { lhs, relation: Relation::Greater, rhs, free: Vec::new() };
+    let hypotheses: Vec<Hypothesis> =
+        context.hypotheses.iter().cloned().chain([Hypothesis::of(stable, false)]).collect();
+    let there = identity::check(link, &Context { hypotheses: &hypotheses, ..*context })?;
+    Ok(if there.verdict.holds() || there.verdict == Verdict::Refuted { there } else { found })
 }
 
 /// Whether the coordinates stay in their place, with the cyclic ones at rest, whatever the constants are.
