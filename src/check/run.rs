@@ -61,7 +61,7 @@ pub fn check_in(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Documen
         let equations = match run.only {
             None => {
                 let equations = checker.with_unconfirmed_premises(run, equations, &sentences);
-                checker.with_definitions_of_wrong_displays(equations)
+                checker.without_definitions_of_wrong_displays(equations)
             }
             Some(_) => equations,
         };

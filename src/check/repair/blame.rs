@@ -6,8 +6,7 @@
 //! contradicted by several displays and no edit of one of these corrects that one.
 //!
 //! A definition that only wrong displays use is not tested. Where edits of these displays themselves correct them, that is no failure of
-//! its own: there is one slip, and it is reported once. Where it has one user, and only an edit of the definition corrects that, the
-//! definition is wrong.
+//! its own: there is one slip, and it is reported once.
 
 use crate::check::document::checker::Checker;
 use crate::check::document::names::shown;
@@ -79,35 +78,6 @@ impl Checker<'_> {
             .map_or(true, |found| found.repairs.iter().any(|repair| self.is_edit_of(at, repair)))
     }
 
-    /// The equations, in which a definition that only wrong displays use is judged by the edits of these: if edits of these displays
-    /// themselves correct them, it is no failure, since it is tested once they are corrected. If one edit of the definition corrects
-    /// its only user, and no edit of that user does, the definition is wrong.
-    pub(crate) fn with_definitions_of_wrong_displays(&self, mut equations: Vec<Equation>) -> Vec<Equation> {
-        for nth in 0..equations.len() {
-            let Some((user, repair)) = self.contradicted_by_its_only_user(nth, &equations) else { continue };
-            let Some(at) = self.display_of(&equations[user]) else { continue };
-            equations[nth].repairs = vec![Repair { verdict: Verdict::Definition, ..repair }];
-            self.blame(&mut equations, nth, &[at]);
-        }
-        self.without_definitions_of_wrong_displays(equations)
-    }
-
-    /// The only wrong display that uses a definition which nothing else tests, with the edit of the definition that corrects it, where
-    /// no edit of its own does.
-    fn contradicted_by_its_only_user(&self, nth: usize, equations: &[Equation]) -> Option<(usize, Repair)> {
-        let (equation, at) = (&equations[nth], self.display_of(&equations[nth])?);
-        if !self.is_used_by_wrong_displays_only(equation) {
-            return None;
-        }
-        let mut users = (0..equations.len()).filter(|other| self.is_a_wrong_user(&equations[*other], at));
-        let user = users.next().filter(|_| users.next().is_none())?;
-        let is_meant = is_refuted(&equations[user]) && equations[user].finding.follows_from.is_none();
-        let repairs = &equations[user].repairs;
-        let own = self.display_of(&equations[user])?;
-        let first = repairs.first().filter(|repair| is_meant && self.is_edit_of(at, repair))?;
-        (!repairs.iter().any(|repair| self.is_edit_of(own, repair))).then(|| (user, first.clone()))
-    }
-
     /// Whether a repair edits a display, and makes no new term.
     fn is_edit_of(&self, at: usize, repair: &Repair) -> bool {
         self.notes.equations[at].body.contains(repair.span) && repair.is_in_the_notes(&self.notes.source.text)
@@ -130,7 +100,7 @@ impl Checker<'_> {
 
     /// The equations, in which a definition is no failure that only wrong displays use, if edits of these displays themselves correct
     /// them.
-    fn without_definitions_of_wrong_displays(&self, mut equations: Vec<Equation>) -> Vec<Equation> {
+    pub(crate) fn without_definitions_of_wrong_displays(&self, mut equations: Vec<Equation>) -> Vec<Equation> {
         let corrects_itself = |equation: &Equation| {
             is_refuted(equation)
                 && equation.finding.follows_from.is_none()

@@ -22,8 +22,9 @@ use crate::code::Code;
 pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation]) -> Result<()> {
     for place in 0..found.len() {
         let equation = &found[place];
-        let is_wrong = equation.finding.verdict == Verdict::Refuted && equation.finding.code == Code::SidesDiffer
-            || equation.finding.verdict == Verdict::Refuted && !equation.repairs.is_empty();
+        // What is a multiple of the other side is wrong without an edit too.
+        let is_weighed = equation.finding.code == Code::SidesDiffer || !equation.repairs.is_empty();
+        let is_wrong = equation.finding.verdict == Verdict::Refuted && is_weighed;
         if !is_wrong || checker.model.system.is_some() {
             continue;
         }

@@ -34,8 +34,8 @@ impl Reader<'_> {
             if let (false, true, Some(sup), 0) = (declared, name.subscript.is_empty(), printed.sup, printed.dots)
                 && !is_power(sup)
             {
-                // A symbol is hardly ever printed with a negative power.
-                if name.base == "e" && is_figure(sup) && !is_negative(sup) {
+                // In notes a symbol is hardly ever printed with a negative power.
+                if name.base == "e" && is_figure(sup) && (self.symbols.open || !is_negative(sup)) {
                     return Err(Fault::ambiguous(
                         span,
                         "e^2 may be the exponential exp(2) or the square of a symbol e",
