@@ -61,8 +61,10 @@ pub use macros::Macros;
 pub use pieces::says_constant;
 #[cfg(feature = "notes")]
 pub use reader::has_coefficient;
+#[cfg(feature = "cli")]
+pub use reader::has_imaginary_unit;
 #[cfg(feature = "notes")]
-pub use reader::{derivative_name, has_imaginary_unit, pairs_by_name, read_formula};
+pub use reader::{derivative_name, pairs_by_name, read_formula};
 #[cfg(feature = "notes")]
 pub use statements::{Reading, read_display};
 pub use typeset::typeset;

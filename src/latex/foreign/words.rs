@@ -2,6 +2,7 @@
 
 #[cfg(feature = "cli")]
 use super::functions::WORDS;
+#[cfg(feature = "cli")]
 use super::units::{self, braced};
 
 /// A text of the same length, in which decimal commas are points, and words between statements are spaces.

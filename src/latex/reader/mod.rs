@@ -78,7 +78,9 @@ use crate::source::{Fault, Span};
 
 use super::layout::{Layout, typeset_items};
 use super::macros::Macros;
-pub use algebra::{has_imaginary_unit, pairs_by_name};
+#[cfg(feature = "cli")]
+pub use algebra::has_imaginary_unit;
+pub use algebra::pairs_by_name;
 pub use partial_derivatives::derivative_name;
 pub(super) use state::Reader;
 

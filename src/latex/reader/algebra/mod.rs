@@ -18,6 +18,7 @@ pub mod evidence;
 mod matrices;
 mod poisson;
 
+#[cfg(feature = "cli")]
 pub use evidence::has_imaginary_unit;
 pub use poisson::pairs_by_name;
 
