@@ -135,3 +135,22 @@ $$ T (v - b)^{R/c_v} = \mathrm{const} $$
 ";
     assert!(!verdicts("adiabat", notes).contains(&"refuted".to_owned()));
 }
+
+const SPRING: &str = r"The mass obeys
+
+$$ m \ddot x + k x = 0 . $$
+
+With $\omega^2 = k/m$ the solution is
+
+$$ x(t) = A \cos\omega t + B \sin\omega t . $$
+
+At the start
+
+$$ x(0) = A , \qquad \dot x(0) = B \omega . $$
+";
+
+#[test]
+fn what_is_the_value_at_an_instant_does_not_vary() {
+    assert_eq!(verdicts("spring", SPRING)[1], "certified");
+    assert_ne!(verdicts("spring-wrong", &SPRING.replace(r"B \sin\omega t", r"B \sin 2\omega t"))[1], "certified");
+}

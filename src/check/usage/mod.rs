@@ -191,10 +191,24 @@ type Side = (Option<Name>, Vec<Name>);
 fn sides(statement: &[Item]) -> Vec<Side> {
     let side = |items: &[Item]| {
         let mut inside = Vec::new();
-        walk(items, Place::default(), 0, &mut inside);
+        walk(&without_instants(items), Place::default(), 0, &mut inside);
         (lone_name(items), inside.into_iter().map(|usage| usage.name).collect())
     };
     statement.split(is_relation).map(side).collect()
+}
+
+/// The items without the values at an instant, `\dot x(0)`: these do not vary.
+fn without_instants(items: &[Item]) -> Vec<Item> {
+    let is_number = |inside: &[Item]| matches!(inside, [Item { layout: Layout::Number(_), .. }]);
+    let is_instant = |item: &Item| matches!(&item.layout, Layout::Fence(Delimiter::Round, inside) if is_number(inside));
+    let mut kept: Vec<Item> = Vec::with_capacity(items.len());
+    for item in items {
+        match kept.last() {
+            Some(name) if is_instant(item) && names::printed(name, None).is_some() => drop(kept.pop()),
+            _ => kept.push(item.clone()),
+        }
+    }
+    kept
 }
 
 /// The name that is all of some items.
