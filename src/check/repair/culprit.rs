@@ -129,15 +129,7 @@ impl Checker<'_> {
             let passes = || !passes_now || self.redefined_verdict(&own, &text, &formulas).is_some();
             if is_tested && holds && !breaks && is_better && passes() {
                 let shared = Some(Shared { of: shown(display), mends: vec![shown(&self.notes.equations[failed])] });
-                let repair = Repair {
-                    span: edit.span.shifted(display.body.start),
-                    replacement: edit.replacement,
-                    slip: edit.slip,
-                    verdict: Verdict::Verified,
-                    step: false,
-                    idle: false,
-                    shared,
-                };
+                let repair = Repair { shared, ..Repair::of(edit, display.body.start, Verdict::Verified) };
                 best = Some(Culprit { at, repair, others });
             }
         }

@@ -173,13 +173,8 @@ impl Checker<'_> {
         };
         let mends: Vec<String> = repaired.iter().map(|(item, _)| name(item)).collect();
         let repair = |(_, verdict): &(Item, Verdict)| Repair {
-            span: edit.span.shifted(display.body.start),
-            replacement: edit.replacement.clone(),
-            slip: edit.slip,
-            verdict: *verdict,
-            step: false,
-            idle: false,
             shared: Some(Shared { of: shown(display), mends: mends.clone() }),
+            ..Repair::of(edit.clone(), display.body.start, *verdict)
         };
         repaired.iter().map(repair).collect()
     }

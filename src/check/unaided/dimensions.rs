@@ -231,14 +231,6 @@ fn refuted(checker: &Checker<'_>, conflict: &Conflict, before: &Equation) -> Equ
     };
     let message = format!("the dimensions do not fit: {consequence}");
     let finding = Finding::new(Code::DimensionsConflict, Verdict::Refuted, before.finding.span, message);
-    let repair = Repair {
-        span: conflict.edit.span.shifted(start),
-        replacement: conflict.edit.replacement.clone(),
-        slip: conflict.edit.slip,
-        verdict: Verdict::Assumed,
-        step: false,
-        idle: false,
-        shared: None,
-    };
+    let repair = Repair::of(conflict.edit.clone(), start, Verdict::Assumed);
     Equation { finding, parts: Vec::new(), repairs: vec![repair], elsewhere: Vec::new(), ok: false, ..before.clone() }
 }

@@ -1,6 +1,6 @@
 //! A suggested repair: one edit of the notes with which an equation passes.
 
-use crate::latex::slips::Slip;
+use crate::latex::slips::{Edit, Slip};
 use crate::source::Span;
 
 use crate::check::verdict::Verdict;
@@ -26,6 +26,19 @@ pub struct Repair {
 }
 
 impl Repair {
+    /// The repair that an edit of a text makes, where the text starts at `offset` in the notes.
+    pub(crate) fn of(edit: Edit, offset: usize, verdict: Verdict) -> Repair {
+        Repair {
+            span: edit.span.shifted(offset),
+            replacement: edit.replacement,
+            slip: edit.slip,
+            verdict,
+            step: false,
+            idle: false,
+            shared: None,
+        }
+    }
+
     /// Whether the replacement is a number or text that is already in the notes. If not, the factor or term was
     /// composed from the derived equation.
     pub fn is_in_the_notes(&self, notes: &str) -> bool {

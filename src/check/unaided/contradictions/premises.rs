@@ -130,15 +130,8 @@ fn edited(course: &Course<'_, '_>, at: usize, set: &[Premise], premise: &Premise
             }
             let of = checker.notes.equations[premise.at].id().unwrap_or_default().to_owned();
             let mends = vec![checker.notes.equations[at].id().unwrap_or_default().to_owned()];
-            return Ok(Some(Repair {
-                span: edit.span.shifted(offset),
-                replacement: edit.replacement,
-                slip: edit.slip,
-                verdict: Verdict::Verified,
-                step: false,
-                idle: false,
-                shared: Some(Shared { of, mends }),
-            }));
+            let shared = Some(Shared { of, mends });
+            return Ok(Some(Repair { shared, ..Repair::of(edit, offset, Verdict::Verified) }));
         }
     }
     Ok(None)
