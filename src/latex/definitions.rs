@@ -110,8 +110,7 @@ fn difference(delta: &Item, only: &Item, symbols: &mut Symbols, branch: Option<S
     if !is_delta || symbols.find(&Name::plain("\\Delta")).is_some() {
         return None;
     }
-    let mut printed = names::printed(only, branch).filter(|found| found.dots == 0 && found.sup.is_none())?;
-    printed.name.base = format!("\\Delta {}", printed.name.base);
+    let printed = names::difference(delta, only, branch).filter(|found| found.dots == 0 && found.sup.is_none())?;
     let is_known = Reader::new(symbols, branch).is_known(&printed, only.span);
     (!is_known).then(|| Unknown::Name(printed.name, delta.span.to(only.span)))
 }

@@ -94,14 +94,23 @@ pub fn parse(text: &str) -> Option<(Name, u8)> {
     parse_name(&layout(&normalized(tokens(text)), text.len()))
 }
 
+/// `\Delta x` and `\delta x`, each of which is one name.
+pub(crate) fn difference<'i>(mark: &Item, rest: &'i Item, branch: Option<Sign>) -> Option<Printed<'i>> {
+    let Layout::Command(command) = &mark.layout else { return None };
+    if !matches!(command.as_str(), "\\Delta" | "\\delta") {
+        return None;
+    }
+    let mut printed = printed(rest, branch)?;
+    printed.name.base = format!("{command} {}", printed.name.base);
+    Some(printed)
+}
+
 fn parse_name(items: &[Item]) -> Option<(Name, u8)> {
     let item = match items {
         [only] => only,
-        [difference, rest] => {
-            let Layout::Command(command) = &difference.layout else { return None };
-            let mut printed = printed(rest, None).filter(|printed| printed.sup.is_none())?;
-            printed.name.base = format!("{command} {}", printed.name.base);
-            return matches!(command.as_str(), "\\Delta" | "\\delta").then_some((printed.name, printed.dots));
+        [mark, rest] => {
+            let printed = difference(mark, rest, None).filter(|printed| printed.sup.is_none())?;
+            return Some((printed.name, printed.dots));
         }
         _ => return None,
     };

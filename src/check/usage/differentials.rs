@@ -58,8 +58,8 @@ pub(super) fn is_mark(item: &Item, next: Option<&Item>, has_coefficient: bool) -
 /// The quantity `\Delta x`, which is one name.
 pub(super) fn difference(item: &Item, next: Option<&Item>) -> Option<Name> {
     let is_delta = matches!(&item.layout, Layout::Command(name) if name == "\\Delta");
-    let printed = names::printed(next?, None).filter(|printed| is_delta && printed.dots == 0)?;
-    Some(Name { base: format!("\\Delta {}", printed.name.base), ..printed.name })
+    let printed = names::difference(item, next?, None).filter(|printed| is_delta && printed.dots == 0)?;
+    Some(printed.name)
 }
 
 pub(super) fn is_by_time(below: &Item) -> bool {
