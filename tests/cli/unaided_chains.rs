@@ -181,6 +181,8 @@ fn numbers_are_compared_with_the_formula_into_which_they_are_put() {
         assert_eq!(found[at].0, "refuted", "{name}: {found:?}");
         assert_eq!(found[1 - at].0, "verified", "{name}: {found:?}");
     }
+    // What is off by more than one part in a hundred does not agree.
+    assert_ne!(verdicts("off", RAMP, ("k = 800", "k = 830"))[0], "verified");
     // Numbers of another example, which no slip explains, are not called wrong.
     assert_ne!(verdicts("other", RAMP, ("m = 2.00", "m = 3.37"))[0], "refuted");
 }

@@ -1,11 +1,11 @@
 //! Displays that are wrong only because another one is.
 //!
 //! A slip in a formula makes whatever is calculated with it wrong too. The notes are judged once more with the slip corrected:
-//! a display that is not wrong then follows once the other one is corrected, and is not called wrong itself.
+//! a display that is not wrong then, and contradicts nothing, is not called wrong.
 
 use crate::Result;
 use crate::check::trial::edited_document::with_text;
-use crate::check::unaided::contradictions::consistent;
+use crate::check::unaided::contradictions::undecided;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
@@ -41,7 +41,7 @@ pub(super) fn excused(
         if let Some(again) = corrected(notes, &found[at], judge)? {
             let is_still = |place: usize| {
                 let is_it = |equation: &&Equation| equation.id == found[place].id;
-                again.iter().find(is_it).is_none_or(is_wrong)
+                again.iter().find(is_it).is_none_or(|found| !found.ok)
             };
             let others: Vec<usize> = wrong.iter().copied().filter(|other| *other != at && !is_still(*other)).collect();
             if !is_still(at) {
@@ -57,7 +57,7 @@ pub(super) fn excused(
         let name = found[at].id.clone();
         for other in others.into_iter().filter(|other| *other != at) {
             if is_wrong(&found[other]) {
-                found[other] = consistent(&found[other], &name);
+                found[other] = undecided(&found[other], format!("this is not wrong once ({name}) is corrected"));
             }
         }
     }

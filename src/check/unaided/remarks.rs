@@ -19,8 +19,9 @@ pub(super) fn blanked(text: &str) -> Option<String> {
 pub(super) fn remark<'s>(display: &Display, source: &'s Source) -> Option<&'s str> {
     let printed = source.text.get(display.body.range())?;
     let (start, end) = place(printed)?;
-    let inner = printed[start..end].trim_start_matches("\\left").trim_start_matches('(');
-    Some(inner.trim_end_matches(')').trim_end_matches("\\right"))
+    let remark = &printed[start..end];
+    let inner = remark.strip_prefix("\\left").unwrap_or(remark).strip_prefix('(')?.strip_suffix(')')?;
+    Some(inner.strip_suffix("\\right").unwrap_or(inner))
 }
 
 /// The bytes of a remark in a display that says `\approx`.

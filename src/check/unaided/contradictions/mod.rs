@@ -65,7 +65,7 @@ pub(super) fn refuted(equation: &Equation, repair: &Repair, message: String) -> 
 }
 
 /// A display that follows once another one is corrected.
-pub(super) fn consistent(equation: &Equation, other: &str) -> Equation {
+fn consistent(equation: &Equation, other: &str) -> Equation {
     undecided(equation, format!("this follows once ({other}) is corrected"))
 }
 
@@ -74,7 +74,8 @@ fn contradicted(equation: &Equation, other: &str) -> Equation {
     undecided(equation, format!("({other}) contradicts this, and one of the two is wrong"))
 }
 
-fn undecided(equation: &Equation, message: String) -> Equation {
+/// A display that is left open, for the reason that the message gives.
+pub(super) fn undecided(equation: &Equation, message: String) -> Equation {
     let finding = Finding::new(Code::NotDecided, Verdict::Undecided, equation.finding.span, message);
     Equation { finding, parts: Vec::new(), repairs: Vec::new(), elsewhere: Vec::new(), ok: true, ..equation.clone() }
 }

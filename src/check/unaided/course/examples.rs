@@ -5,6 +5,7 @@
 //! the values of another example, so the display is called wrong only if one likely slip in the formula explains the numbers.
 
 use crate::Result;
+use crate::check::document::checker::Checker;
 use crate::check::document::inferred::prose::body_of;
 use crate::check::equations::measured::{Comparison, compared};
 use crate::check::model::claim::is_equality;
@@ -21,7 +22,6 @@ use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
 use crate::latex::read_display;
 use crate::latex::slips::{self, Edit, Pool};
-use crate::notes::claims::Claim;
 use crate::source::Span;
 
 /// The most edits of one formula that are tried, the likeliest first.
@@ -31,7 +31,8 @@ const TRIED: usize = 160;
 const DEEPEST: usize = 6;
 
 /// The value of a letter, and where it is printed.
-struct Given {
+#[derive(Clone)]
+pub(super) struct Given {
     symbol: SymbolId,
     value: Expr,
     end: usize,
@@ -57,7 +58,7 @@ pub(super) struct Contradicted {
 impl Course<'_, '_> {
     /// The finding on a display that puts numbers into a formula, if the values of all letters are known, and the numbers agree with
     /// them or one slip explains why they do not.
-    pub(super) fn example(&mut self, at: usize) -> Result<Option<Equation>> {
+    pub(super) fn example(&mut self, at: usize, found: &Equation) -> Result<Option<Equation>> {
         let checker = self.checker;
         let [Ok(statement)] = checker.readings[at].statements.as_slice() else { return Ok(None) };
         let Some(example) = example_of(statement).or_else(|| self.example_of_definition(statement)) else {
@@ -68,7 +69,6 @@ impl Course<'_, '_> {
         let context = self.context(&[]);
         let compare = |formula: &Expr| compared(formula, example.numbers, example.is_approximate, &context);
         let shown: Vec<String> = used.iter().map(|given| self.shown(given)).collect();
-        let found = self.equation(&self.quick, at, &Claim::default())?;
         let finding = |verdict: Verdict, code: Code, message: String| Equation {
             finding: Finding::new(code, verdict, found.finding.span, message),
             parts: Vec::new(),
@@ -78,7 +78,8 @@ impl Course<'_, '_> {
         };
         let outcome = compare(&with_values);
         if outcome == Comparison::Agree {
-            let message = format!("the numbers agree with the formula for {}", shown.join(", "));
+            let message =
+                format!("the numbers agree with the formula to one part in a hundred, for {}", shown.join(", "));
             return Ok(Some(finding(Verdict::Verified, Code::Holds, message)));
         }
         // The formula stands here, or in the display that defines the name.
@@ -110,15 +111,7 @@ impl Course<'_, '_> {
             again.is_some_and(|(edited, _)| compare(&edited) == Comparison::Agree)
         };
         let Some(edit) = self.edits_of(place, part).into_iter().find(explains) else { return Ok(None) };
-        let repair = Repair {
-            span: edit.span.shifted(display.body.start),
-            replacement: edit.replacement,
-            slip: edit.slip,
-            verdict: Verdict::Verified,
-            step: false,
-            idle: false,
-            shared: None,
-        };
+        let repair = Repair::of(edit, display.body.start, Verdict::Verified);
         if place != at {
             self.contradicted.push(Contradicted { definition: place, repair, by: at });
             return Ok(None);
@@ -175,17 +168,9 @@ impl Course<'_, '_> {
             let statements = reading.statements.iter().flatten();
             found.extend(statements.filter_map(|statement| value_of(statement, display.span.end)));
         }
-        for span in checker.notes.inline.iter().filter(|span| span.end <= here) {
-            let Some(text) = body_of(checker.notes, *span).map(|body| checker.notes.source.slice(body)) else {
-                continue;
-            };
-            if !text.contains(['=']) && !text.contains("\\approx") {
-                continue;
-            }
-            let reading = read_display(text, &mut checker.model.symbols.clone(), &checker.model.macros);
-            let statements = reading.statements.iter().flatten();
-            found.extend(statements.filter_map(|statement| value_of(statement, span.end)));
-        }
+        // All sentences are read once: a book has thousands of formulas in them.
+        let in_sentences = self.in_sentences.get_or_init(|| values_in_sentences(checker));
+        found.extend(in_sentences.iter().filter(|given| given.end <= here).cloned());
         found.sort_by_key(|given| std::cmp::Reverse(given.end));
         found
     }
@@ -228,6 +213,21 @@ impl Course<'_, '_> {
         let symbols = &self.checker.model.symbols;
         format!("{} = {}", text::plain(&self.checker.model.name(given.symbol)), text::formula(&given.value, symbols))
     }
+}
+
+/// The values that the formulas in sentences give to letters.
+fn values_in_sentences(checker: &Checker<'_>) -> Vec<Given> {
+    let mut found = Vec::new();
+    for span in &checker.notes.inline {
+        let Some(text) = body_of(checker.notes, *span).map(|body| checker.notes.source.slice(body)) else { continue };
+        if !text.contains('=') && !text.contains("\\approx") {
+            continue;
+        }
+        let reading = read_display(text, &mut checker.model.symbols.clone(), &checker.model.macros);
+        let statements = reading.statements.iter().flatten();
+        found.extend(statements.filter_map(|statement| value_of(statement, span.end)));
+    }
+    found
 }
 
 /// The value that a statement gives to the letter on its left side: `v = \sqrt{2aL} = 4.39\,\text{m/s}`.

@@ -12,6 +12,7 @@ mod special_values;
 pub(super) mod taken;
 
 use std::collections::{HashMap, VecDeque};
+use std::sync::OnceLock;
 
 use rayon::prelude::*;
 
@@ -84,6 +85,7 @@ pub(super) fn judged_again(
         blamed: Vec::new(),
         confirmed: Vec::new(),
         contradicted: Vec::new(),
+        in_sentences: OnceLock::new(),
         before: known,
     };
     for at in 0..scope.carried {
@@ -147,6 +149,8 @@ pub(super) struct Course<'c, 'a> {
     pub(super) confirmed: Vec<usize>,
     /// The definitions that numbers of examples contradict.
     contradicted: Vec<examples::Contradicted>,
+    /// The values that the formulas in sentences give to letters, once they were needed.
+    in_sentences: OnceLock<Vec<examples::Given>>,
     /// The findings that are known already.
     before: &'c (dyn Fn(usize) -> Option<Equation> + Sync),
 }
@@ -221,7 +225,7 @@ impl Course<'_, '_> {
             let is_supposed = prose::before(self.checker.notes, at).announced.is_supposed();
             return Ok(if is_supposed { gate::as_it_counts(found) } else { found });
         }
-        if let Some(found) = self.example(at)? {
+        if let Some(found) = self.example(at, &found)? {
             return Ok(found);
         }
         if let Some(found) = self.special_value(at, &found)? {

@@ -65,15 +65,7 @@ impl Course<'_, '_> {
             let [Ok(edited)] = reading.statements.as_slice() else { continue };
             let Some((_, edited)) = named(edited) else { continue };
             if is_equal(value, edited)? {
-                let repair = Repair {
-                    span: edit.span.shifted(display.body.start),
-                    replacement: edit.replacement,
-                    slip: edit.slip,
-                    verdict: Verdict::Verified,
-                    step: false,
-                    idle: false,
-                    shared: None,
-                };
+                let repair = Repair::of(edit, display.body.start, Verdict::Verified);
                 let message = format!("this is not {says}");
                 let wrong = finding(Verdict::Refuted, Code::SidesDiffer, message);
                 return Ok(Some(Equation { repairs: vec![repair], ..wrong }));
@@ -89,6 +81,10 @@ impl Course<'_, '_> {
         if printed.subscript.is_empty() {
             return Vec::new();
         }
+        let places = self.places(at);
+        if places.is_empty() {
+            return Vec::new();
+        }
         let own: Vec<SymbolId> = formula.symbols().into_iter().map(|(id, _)| id).collect();
         let mut found = Vec::new();
         // The formulas of the quantity without the subscript, the last first, also those of earlier sections.
@@ -100,17 +96,17 @@ impl Course<'_, '_> {
                 continue;
             }
             for general in statement.members[1..].iter().filter(|member| !moves(member)) {
-                for (symbol, place) in self.places(at) {
-                    let depends = general.symbols().iter().any(|(id, _)| *id == symbol);
-                    if depends && !own.contains(&symbol) {
+                for (symbol, place) in &places {
+                    let depends = general.symbols().iter().any(|(id, _)| id == symbol);
+                    if depends && !own.contains(symbol) {
                         let mut value = general.clone();
                         value.substitute(&|node| match node {
-                            Node::Symbol { id, dots: 0, .. } if *id == symbol => Some(place.clone()),
+                            Node::Symbol { id, dots: 0, .. } if id == symbol => Some(place.clone()),
                             _ => None,
                         });
                         let shown = |id| text::plain(&checker.model.name(id));
-                        let place = text::formula(&place, &checker.model.symbols);
-                        let says = format!("{} where {} = {place}", shown(base), shown(symbol));
+                        let place = text::formula(place, &checker.model.symbols);
+                        let says = format!("{} where {} = {place}", shown(base), shown(*symbol));
                         found.push(Special { value, says });
                     }
                 }

@@ -1,5 +1,6 @@
 //! What some letters mean in notes, by how they stand in all formulas: h beside ħ, i, and hats.
 
+use crate::check::document::inferred::prose::body_of;
 use crate::check::usage::Usage;
 use crate::formula::symbols::Name;
 use crate::latex::layout::typeset_items;
@@ -24,11 +25,9 @@ pub(super) fn has_both_constants_of_planck(notes: &Notes, usages: &[Usage]) -> b
 pub(super) fn means_root_of_minus_one(notes: &Notes, usages: &[Usage], macros: &Macros) -> bool {
     let is_i = |usage: &&Usage| usage.name == Name::plain("i");
     let is_quantity = |usage: &Usage| usage.given || !is_reserved(usage);
-    let inline = notes.inline.iter().filter_map(|span| notes.source.text.get(span.range()));
-    let is_evident = |text: &str| {
-        let text = text.trim_matches('$');
-        text.contains('i') && typeset_items(text, macros).is_ok_and(|items| has_imaginary_unit(&items))
-    };
+    let inline = notes.inline.iter().filter_map(|span| Some(notes.source.slice(body_of(notes, *span)?)));
+    let is_evident =
+        |text: &str| text.contains('i') && typeset_items(text, macros).is_ok_and(|items| has_imaginary_unit(&items));
     usages.iter().find(is_i).is_some_and(|usage| !is_quantity(usage))
         && (notes.equations.iter().any(|display| is_evident(&display.text)) || inline.into_iter().any(is_evident))
 }
