@@ -133,6 +133,12 @@ pub struct Inferred {
     pub index_letters: HashSet<String>,
     /// The letters above others that may be indices as well as powers, where the declarations are guesses.
     pub unclear_letters: HashSet<String>,
+    /// Names and the letters above them that number steps, as in u^{n+1} = u^n + Δt f.
+    pub levels: HashSet<(String, char)>,
+    /// Names and the letters above them that may number steps or be powers.
+    pub possible_levels: HashSet<(String, char)>,
+    /// Two points between which a vector goes in the display, as in `\overrightarrow{PM}`.
+    pub segments: HashSet<String>,
     /// The letters that have a 0 or a 1 above them somewhere, as components have and powers have not.
     pub component_letters: HashSet<String>,
     /// Whether letters have two indices somewhere in the display, so that a letter above may be one too.

@@ -22,6 +22,7 @@ use super::primed_names;
 use super::reader::items::{differential, is_integral, is_minus_one, is_transpose, whole_number};
 use super::reader::structure;
 use super::reader::undeclared::coefficient_d;
+use super::rows::relation;
 
 /// Records in an open symbol table what the items of a display show.
 pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
@@ -113,6 +114,10 @@ struct Evidence {
     differentials: Marks,
     variations: Marks,
     matrices: Vec<String>,
+    /// Names before a number in brackets, `x[0]`.
+    numbered: Vec<Name>,
+    /// Whether brackets stand around one name and after no other, `[X] = K[A][B]`: concentrations.
+    has_concentrations: bool,
 }
 
 impl Evidence {
@@ -150,10 +155,24 @@ impl Evidence {
     /// Looks at neighbours, then inside of each.
     fn list(&mut self, items: &[Item]) {
         let mut in_integral = false;
+        self.has_concentrations |= items.iter().enumerate().any(|(at, item)| {
+            let is_name = at > 0 && names::printed(&items[at - 1], None).is_some();
+            let inside = fence(item).filter(|(delimiter, _)| *delimiter == Delimiter::Square).map(|(_, inside)| inside);
+            let is_capital = |item: &Item| {
+                names::printed(item, None).is_some_and(|found| found.name.base.starts_with(|c: char| c.is_uppercase()))
+            };
+            !is_name && matches!(inside, Some([only]) if is_capital(only))
+        });
         for (at, item) in items.iter().enumerate() {
             let next = items.get(at + 1);
             in_integral |= is_integral(item);
-            self.application(item, next);
+            let is_side = at == 0
+                && items[1..]
+                    .iter()
+                    .skip(1)
+                    .find(|item| !matches!(item.layout, Layout::Space(_)))
+                    .is_some_and(|item| relation(item).is_some());
+            self.application(item, next, is_side);
             // `(uv)' = u'v + uv'`: the prime of a product is a derivative, and those of its factors too.
             if let Layout::Scripts { nucleus, primes: 1.., .. } = &item.layout
                 && let Layout::Fence(Delimiter::Round, inside) = &nucleus.layout
@@ -161,6 +180,15 @@ impl Evidence {
             {
                 let names = inside.iter().filter_map(|item| names::printed(item, None)).map(|found| found.name);
                 self.primed.extend(names.filter(|name| name.primes == 0));
+            }
+            // `p(x, x')`: the prime names another value of x.
+            if let Layout::Fence(Delimiter::Round, inside) = &item.layout {
+                let inside = || inside.iter().filter_map(|item| names::printed(item, None)).map(|found| found.name);
+                let is_listed = |name: &Name| inside().any(|other| other == *name);
+                let twins = inside().filter(|name| name.primes > 0).map(|name| Name { primes: 0, ..name });
+                if item_has_comma(item) {
+                    self.letters.extend(twins.filter(is_listed));
+                }
             }
             if differential(item).is_some()
                 && let Some(found) =
@@ -207,6 +235,16 @@ impl Evidence {
                 for part in [above, below] {
                     // The d of a derivative says nothing about differentials elsewhere.
                     let part = super::reader::items::contents(part);
+                    // `\frac{\partial g(a + t)}{\partial t}`
+                    if let [mark, name, arguments] = part
+                        && self.is_abstract
+                        && (differential(mark).is_some() || mark.layout == Layout::Command("\\partial".to_owned()))
+                        && fence(arguments).is_some_and(|(delimiter, _)| delimiter == Delimiter::Round)
+                        && let Some(found) = names::printed(name, None).filter(|found| found.sup.is_none())
+                        && self.functions.iter().all(|(known, _)| *known != found.name)
+                    {
+                        self.functions.push((Name { primes: 0, ..found.name }, None));
+                    }
                     match part.first().is_some_and(|first| differential(first).is_some())
                         && starts_derivative(above, below)
                     {
@@ -232,7 +270,7 @@ impl Evidence {
     }
 
     /// A name, and what follows it at once.
-    fn application(&mut self, item: &Item, next: Option<&Item>) {
+    fn application(&mut self, item: &Item, next: Option<&Item>, is_side: bool) {
         let Some(found) = names::printed(item, None) else { return };
         let primes = found.name.primes;
         let name = Name { primes: 0, ..found.name };
@@ -248,6 +286,10 @@ impl Evidence {
                 inside.iter().filter_map(|item| names::printed(item, None)).map(|found| found.name.to_string());
             self.possible.push((name.clone(), is_usual, inside.collect()));
         }
+        // `\mathbf{x}^T (A) \mathbf{x}` is a product.
+        if found.sup.is_some_and(is_transpose) {
+            return;
+        }
         let arguments: Vec<&[Item]> = inside.split(is_comma).collect();
         let never = ["\\pi", "\\hbar", "\\Delta", "\\delta", "d", "\\mathrm{d}", "e", "\\mathrm{e}", "\\epsilon"];
         // `\pi(t, x)` is a momentum, `\delta^3(r - r')` a distribution.
@@ -262,6 +304,15 @@ impl Evidence {
         let is_constant = ["k", "c", "b", "l"].contains(&name.base.as_str()) && delimiter == Delimiter::Round;
         let is_zero =
             matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [zero] if is_zero(zero) && !is_constant));
+        let indexed = match arguments.as_slice() {
+            [only] if self.is_abstract => match trimmed(only) {
+                [name] => names::printed(name, None)
+                    .filter(|found| found.sup.is_some_and(is_letter))
+                    .map(|found| vec![found.name.to_string()]),
+                _ => None,
+            },
+            _ => None,
+        };
         // A function by its letter, whatever stands in the parenthesis.
         let is_powered = found.sup.is_some_and(|sup| whole_number(sup).is_some()) && !is_distribution;
         let is_usual = self.is_abstract
@@ -273,14 +324,29 @@ impl Evidence {
             Delimiter::Round => {
                 plain.is_some() || is_zero || arguments.len() > 1 || is_remainder || inside.iter().any(is_given)
             }
-            // `S[q]`, the value of a functional.
+            // `S[q]`, the value of a functional; `S[q^i]`.
             Delimiter::Square => {
+                let plain = plain.as_ref().or(indexed.as_ref());
                 let letter = name.base.trim_start_matches('\\');
                 let is_greek = letter.len() < name.base.len() && letter.starts_with(|c: char| c.is_uppercase());
+                // `x[n+1] = x[n]`, `x[0]`: a signal at a step. `\lambda[z] = …`: what is a whole side is no product.
+                let is_step = matches!(arguments.as_slice(), [only] if is_step(trimmed(only)));
+                // One number in brackets may be a factor; of one name, two numbers are steps.
+                let is_number = matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [only] if whole_number(only).is_some()));
+                if is_number && !self.numbered.contains(&name) {
+                    self.numbered.push(name);
+                    return;
+                }
+                let is_small = letter.chars().all(|c| c.is_lowercase() || !c.is_alphabetic());
+                if self.has_concentrations && !is_step {
+                    return;
+                }
                 // A commutator has two parts.
-                arguments.len() != 2
-                    && plain.is_some()
-                    && (is_greek || letter.chars().all(|c| c.is_uppercase() || !c.is_alphabetic()))
+                is_small && is_step
+                    || is_side && arguments.len() == 1 && plain.is_some()
+                    || arguments.len() != 2
+                        && plain.is_some()
+                        && (is_greek || letter.chars().all(|c| c.is_uppercase() || !c.is_alphabetic()))
                     || name.base.starts_with("\\mathcal") && plain.is_some()
                     || ["\\phi", "\\varphi"].contains(&name.base.as_str())
                         && name.subscript.is_empty()
@@ -318,8 +384,10 @@ impl Evidence {
                 .collect();
             return (!names.is_empty()).then(|| format!("|{}|", names.join(" − ")));
         }
-        if matches!(&only.layout, Layout::Command(name) if name == "\\dots") {
-            return Some("\\dots".to_owned());
+        if let (Layout::Command(name), true) = (&only.layout, rest.is_empty())
+            && ["\\dots", "\\cdot"].contains(&name.as_str())
+        {
+            return Some(name.clone());
         }
         let found = names::printed(only, None).filter(|found| found.sup.is_none() && follows)?;
         names::with_dots(&found.name, found.dots).map(|name| name.to_string())
@@ -372,6 +440,25 @@ fn is_given(item: &Item) -> bool {
     item.layout == Layout::Other('|') || matches!(&item.layout, Layout::Command(name) if name == "\\mid")
 }
 
+/// Whether items are the number of a step: `n`, `n+1`, `0`.
+fn is_step(items: &[Item]) -> bool {
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let is_counter = |item: &Item| matches!(item.layout, Layout::Letter('n' | 'k' | 'm' | 'i' | 'j' | 't'));
+    let is_number = |item: &Item| whole_number(item).is_some();
+    match solid.as_slice() {
+        [only] => is_counter(only) || is_number(only),
+        [first, Item { layout: Layout::Other('+' | '-'), .. }, last] => {
+            is_counter(first) && (is_number(last) || is_counter(last))
+        }
+        _ => false,
+    }
+}
+
+/// Whether a letter stands above that is an index rather than a power.
+fn is_letter(sup: &Item) -> bool {
+    names::printed(sup, None).is_some_and(|found| found.sup.is_none() && found.name.subscript.is_empty())
+}
+
 /// 0, and 0 from one side, `0^+`.
 fn is_zero(item: &Item) -> bool {
     match &item.layout {
@@ -381,6 +468,10 @@ fn is_zero(item: &Item) -> bool {
         }
         _ => whole_number(item) == Some(0),
     }
+}
+
+fn item_has_comma(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Fence(_, inside) if inside.iter().any(is_comma))
 }
 
 fn is_comma(item: &Item) -> bool {

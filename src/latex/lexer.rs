@@ -94,8 +94,9 @@ pub fn tokens(text: &str) -> Vec<Token> {
     let mut in_norm = false;
     let mut tokens = Vec::with_capacity(text.len() / 2);
     let mut chars = text.char_indices().peekable();
-    while let Some((start, c)) = chars.next() {
-        let mut end = start + c.len_utf8();
+    while let Some((start, typed)) = chars.next() {
+        let mut end = start + typed.len_utf8();
+        let c = upright(typed);
         let kind = match c {
             '{' => TokenKind::Open,
             '}' => TokenKind::Close,
@@ -194,6 +195,8 @@ fn spelling(name: &str) -> &str {
         "implies" | "Longrightarrow" => "Rightarrow",
         "iff" | "Longleftrightarrow" => "Leftrightarrow",
         "to" => "rightarrow",
+        "dag" => "dagger",
+        "ddag" => "ddagger",
         "overrightarrow" => "vec",
         "widehat" => "hat",
         "overline" => "bar",
@@ -224,6 +227,22 @@ fn after_row_break(text: &str, mut end: usize) -> usize {
         }
     }
     end
+}
+
+/// A letter of mathematical italics as a plain letter.
+fn upright(c: char) -> char {
+    const GREEK: &str = "αβγδεζηθικλμνξοπρσστυφχψω";
+    let nth = |letters: &str, at: u32| letters.chars().nth(at as usize).unwrap_or(c);
+    match u32::from(c) {
+        0x210E => 'h',
+        code @ 0x1D434..=0x1D44D => char::from_u32(code - 0x1D434 + u32::from('A')).unwrap_or(c),
+        code @ 0x1D44E..=0x1D467 => char::from_u32(code - 0x1D44E + u32::from('a')).unwrap_or(c),
+        code @ 0x1D6E2..=0x1D6FA => nth("ΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΘΣΤΥΦΧΨΩ", code - 0x1D6E2),
+        code @ 0x1D6FC..=0x1D714 => nth(GREEK, code - 0x1D6FC),
+        0x1D715 => '∂',
+        0x1D719 => 'φ',
+        _ => c,
+    }
 }
 
 /// The command for a Greek letter or a sign typed directly.

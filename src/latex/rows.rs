@@ -92,6 +92,8 @@ fn whole(items: &[Item]) -> Option<&[Vec<Vec<Item>>]> {
             | "flalign"
             | "multlined"
             | "displaymath"
+            | "dmath"
+            | "dgroup"
     );
     // `\begin{array}{rcl} a & = & b \end{array}`
     let has_relation = |row: &Vec<Vec<Item>>| row.iter().flatten().any(|item| relation(item).is_some());

@@ -19,7 +19,7 @@ use super::names;
 use super::pieces::{Piece, Printed, pieces, without_ranges};
 use super::reader::Reader;
 use super::reader::algebra::evidence;
-use super::reader::structure::note_possible_indices;
+use super::reader::structure::{note_levels, note_possible_indices};
 use super::reader::undeclared::note_marks;
 
 /// The result of reading a display.
@@ -57,6 +57,9 @@ fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
     };
     evidence::note(&items, symbols);
     note_marks(&items, &mut symbols.inferred);
+    if symbols.open || symbols.guessed {
+        note_levels(&items, &mut symbols.inferred);
+    }
     if symbols.guessed {
         note_possible_indices(&items, &mut symbols.inferred);
     }

@@ -19,6 +19,8 @@ mod lecture;
 mod misreadings;
 #[path = "reading/notes.rs"]
 mod notes;
+#[path = "reading/operators.rs"]
+mod operators;
 #[path = "reading/particles.rs"]
 mod particles;
 #[path = "reading/printed_forms.rs"]

@@ -19,6 +19,7 @@ pub(super) fn opening(token: &Token) -> Option<Delimiter> {
         TokenKind::Other('(') => Some(Delimiter::Round),
         TokenKind::Other('[') => Some(Delimiter::Square),
         TokenKind::Other('|') => Some(Delimiter::Bar),
+        TokenKind::Other('<') => Some(Delimiter::Angle),
         TokenKind::Command(name) => match name.as_str() {
             "\\{" => Some(Delimiter::Curly),
             "\\lvert" | "\\vert" => Some(Delimiter::Bar),

@@ -119,7 +119,16 @@ pub(super) fn letters(item: &Item) -> String {
     match &item.layout {
         Layout::Letter(c) | Layout::Other(c) => c.to_string(),
         Layout::Number(digits) => digits.clone(),
-        Layout::Group(items) | Layout::Fence(_, items) => items.iter().map(letters).collect(),
+        Layout::Group(items) => {
+            // `\text{N/(A·m)}`: all in the parenthesis stands below the slash.
+            let below = |at: usize| at > 0 && items[at - 1].layout == Layout::Other('/');
+            let one = |(at, item): (usize, &Item)| match &item.layout {
+                Layout::Fence(Delimiter::Round, _) if below(at) => format!("({})", letters(item)),
+                _ => letters(item),
+            };
+            items.iter().enumerate().map(one).collect()
+        }
+        Layout::Fence(_, items) => items.iter().map(letters).collect(),
         Layout::Style(_, inner) | Layout::Accent(_, inner) => letters(inner),
         Layout::Command(name) => name.clone(),
         Layout::Text(text) => text.clone(),
@@ -143,5 +152,18 @@ impl Item {
             }
             _ => rows,
         }
+    }
+}
+
+/// ∂, ∇ or an upright d, which braces around it do not part from what it acts on.
+pub(super) fn is_derivative_mark(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Command(name) => name == "\\nabla" || name == "\\partial",
+        Layout::Style(style, inner) if style == "\\mathrm" => match &inner.layout {
+            Layout::Letter('d') => true,
+            Layout::Group(items) => matches!(items.as_slice(), [Item { layout: Layout::Letter('d'), .. }]),
+            _ => false,
+        },
+        _ => false,
     }
 }

@@ -9,7 +9,7 @@ use crate::source::{Fault, Span};
 use super::super::lexer::{Space, Token, TokenKind};
 use super::angles::{bars_before_angle, bra_length, is_lone_bar};
 use super::delimiters::{closing, glyph, is_plain_bar, opening};
-use super::item::{Delimiter, Item, Layout, letters};
+use super::item::{Delimiter, Item, Layout, is_derivative_mark, letters};
 use super::numbers::is_decimal_comma;
 use super::units;
 
@@ -233,9 +233,9 @@ impl<'a> Parser<'a> {
         match self.peek() {
             Some(token) if token.kind == TokenKind::Close => {
                 self.next();
-                // `{\nabla} h`
+                // `{\nabla} h`, `{\partial} g`, `{\mathrm d}x`
                 match items.as_slice() {
-                    [only] if only.layout == Layout::Command("\\nabla".to_owned()) => only.clone(),
+                    [only] if is_derivative_mark(only) => only.clone(),
                     _ => Item { layout: Layout::Group(items), span: open.to(token.span) },
                 }
             }
@@ -261,7 +261,11 @@ impl<'a> Parser<'a> {
             self.at += bar + 1;
             return Item { layout: Layout::Fence(Delimiter::Bra, label), span: open.to(Span::at(self.previous_end())) };
         }
-        let items = self.list(Until::Fence(delimiter));
+        let mut items = self.list(Until::Fence(delimiter));
+        // `[a \\\\ & + b]`: a parenthesis goes on in the next row.
+        if matches!(delimiter, Delimiter::Round | Delimiter::Square) {
+            items.retain(|item| !matches!(item.layout, Layout::Row | Layout::Align));
+        }
         self.angles = outer;
         let close = self.peek().map(|token| (token, closing(token)));
         let is_pair = items.iter().filter(|item| item.layout == Layout::Other(',')).count() == 1;
@@ -346,8 +350,13 @@ impl<'a> Parser<'a> {
                 let argument = self.argument(span);
                 // `\textrm{d}x`: an upright d before a letter is that of a differential.
                 let is_d = matches!(&argument.layout, Layout::Group(items) if matches!(items.as_slice(), [Item { layout: Layout::Letter('d'), .. }]));
-                let is_before_letter =
-                    self.peek().is_some_and(|next| matches!(next.kind, TokenKind::Letter(_) | TokenKind::Command(_)));
+                // `{\mbox{d}}^2 r` too.
+                let is_before_letter = self.peek().is_some_and(|next| {
+                    matches!(
+                        next.kind,
+                        TokenKind::Letter(_) | TokenKind::Command(_) | TokenKind::Close | TokenKind::Super
+                    )
+                });
                 if is_d && is_before_letter {
                     let layout = Layout::Style("\\mathrm".to_owned(), boxed(argument));
                     return Item { layout, span: span.to(Span::at(self.previous_end())) };
@@ -414,7 +423,11 @@ impl<'a> Parser<'a> {
                 span: whole,
             };
         }
-        match (opening, closing(close)) {
+        let closing = match close.kind {
+            TokenKind::Other('>') => Some(Delimiter::Angle),
+            _ => closing(close),
+        };
+        match (opening, closing) {
             (Some(a), Some(b)) if a == b => Item { layout: Layout::Fence(a, items), span: whole },
             (Some(Delimiter::Bar), Some(Delimiter::Angle)) => {
                 Item { layout: Layout::Fence(Delimiter::Ket, items), span: whole }

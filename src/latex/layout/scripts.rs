@@ -63,7 +63,11 @@ impl Parser<'_> {
                     self.next();
                     let touches = self.peek().is_some_and(|next| {
                         next.span.start == sign.span.end
-                            && matches!(next.kind, TokenKind::Digit(_) | TokenKind::Letter(_) | TokenKind::Command(_))
+                            && match &next.kind {
+                                TokenKind::Digit(_) | TokenKind::Letter(_) => true,
+                                TokenKind::Command(name) => !["\\right", "\\end", "\\rangle"].contains(&name.as_str()),
+                                _ => false,
+                            }
                     });
                     match (touches, &sign.kind) {
                         (false, TokenKind::Other(c)) => Item { layout: Layout::Other(*c), span: sign.span },

@@ -149,6 +149,7 @@ const TEXTS: &[(&str, usize, &str)] = &[
     ("smash", 1, "#1"),
     ("mathstrut", 0, ""),
     ("cancel", 1, "#1"),
+    ("cancelto", 2, "#2"),
     ("phantom", 1, ""),
     ("hphantom", 1, ""),
     ("vphantom", 1, ""),

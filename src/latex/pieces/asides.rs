@@ -22,5 +22,11 @@ pub(super) fn opened(items: Vec<&Item>) -> Vec<&Item> {
 
 fn begins_a_statement(inside: &[Item]) -> bool {
     let first = inside.iter().find(|item| !matches!(item.layout, Layout::Space(_)));
+    // `(\hat a|0\rangle = 0)`
+    let equal = inside.iter().position(|item| item.layout == Layout::Other('='));
+    let is_state = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::Ket, _));
+    if equal.is_some_and(|equal| inside[..equal].iter().any(is_state)) {
+        return true;
+    }
     first.is_some_and(|first| matches!(first.layout, Layout::Command(_) | Layout::Text(_)) && separates(first))
 }

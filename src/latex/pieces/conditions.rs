@@ -57,7 +57,10 @@ pub(super) fn is_pause(item: &Item) -> bool {
     matches!(item.layout, Layout::Space(_) | Layout::Other(','))
 }
 
-/// Whether an item is a parenthesis with a comparison in it.
+/// Whether an item is a parenthesis with a comparison in it. `(\hat a|0\rangle = 0)` is a result, and restricts nothing.
 pub(super) fn is_comparison(item: &Item) -> bool {
-    matches!(&item.layout, Layout::Fence(Delimiter::Round, inside) if inside.iter().any(|item| relation(item).is_some()))
+    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+    let Some(at) = inside.iter().position(|item| relation(item).is_some()) else { return false };
+    let has_state = inside[..at].iter().any(|item| matches!(item.layout, Layout::Fence(Delimiter::Ket, _)));
+    !(has_state && inside[at].layout == Layout::Other('='))
 }

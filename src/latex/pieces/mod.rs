@@ -62,6 +62,7 @@ fn share_conditions(pieces: &mut [Piece<'_>]) {
 fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstract: bool) {
     let mut current: Option<Piece<'a>> = None;
     let mut comma: Option<&'a Item> = None;
+    let mut is_inserted = false;
     let mut starts_row = true;
     let unclear = pieces.last().and_then(|before| unclear_continuation(&row, before, pieces, is_abstract));
     if continues(&row, pieces.last()) {
@@ -102,7 +103,7 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
             at += 1;
             continue;
         }
-        let before = current.as_mut().filter(|piece| piece.links.len() > 1 || is_abstract && piece.has_sign());
+        let before = current.as_mut().filter(|piece| piece.links.len() > 1 || is_abstract && !piece.links.is_empty());
         if let (Some(piece), true) = (before, begins_condition(item)) {
             piece.conditions.push(vec![item]);
             at += 1;
@@ -168,13 +169,15 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
                 .iter()
                 .find(|next| !matches!(next.layout, Layout::Space(_)))
                 .is_some_and(|next| relation(next).is_some());
-            if !(is_wide && relation_follows) {
+            let goes_on = current.as_ref().is_some_and(|piece| piece.is_an_extremum() || piece.ends_with_a_relation());
+            if !(is_wide && (relation_follows || goes_on)) {
                 let ends = current.is_some();
                 pieces.extend(current.take());
                 comma = match item.layout {
                     Layout::Other(',') if ends => Some(item),
                     _ => None,
                 };
+                is_inserted = if ends { is_wide } else { is_inserted && is_wide };
             }
             at += 1;
             continue;
@@ -227,7 +230,7 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
         if matches!(item.layout, Layout::Space(_)) && current.is_none() {
             continue;
         }
-        let piece = current.get_or_insert_with(|| Piece { comma: comma.take(), ..Piece::new(number) });
+        let piece = current.get_or_insert_with(|| Piece { comma: comma.take(), is_inserted, ..Piece::new(number) });
         if piece.links.is_empty() {
             piece.links.push(Link { relation: None, items: Vec::new() });
         }
@@ -293,8 +296,11 @@ fn unclear_continuation(row: &Row<'_>, before: &Piece<'_>, pieces: &[Piece<'_>],
                 .help("put & before the relation of each row, or write each equation in a display of its own"),
         );
     }
-    let several = pieces.iter().filter(|piece| piece.row == before.row).count() > 1;
-    if several && !is_abstract && (starts_with_relation || continues(row, Some(before))) {
+    let of_row = || pieces.iter().filter(|piece| piece.row == before.row);
+    let several = of_row().count() > 1;
+    // A remark behind a wide space, as in `W = \int p\,dx \quad p = mv`, is not what the next row goes on with.
+    let is_inserted = before.is_inserted && of_row().next().is_some_and(|first| first.links.len() > 1);
+    if several && (!is_abstract || is_inserted) && (starts_with_relation || continues(row, Some(before))) {
         return Some(
             Fault::ambiguous(first.span, "this row may continue any statement of the row before")
                 .help("write the statements of that row on rows of their own"),
@@ -398,5 +404,14 @@ fn is_arrow(item: &Item) -> bool {
 
 /// Whether an equation stands before the next separator.
 fn states_something(items: &[&Item]) -> bool {
-    items.iter().take_while(|item| !separates(item)).any(|item| item.layout == Layout::Other('='))
+    items.iter().take_while(|item| !separates(item)).any(|item| is_equation(item))
+}
+
+/// Whether an item is a relation, or a box around an equation.
+fn is_equation(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Command(name) if name == "\\boxed" => true,
+        Layout::Group(items) => items.iter().any(|item| relation(item).is_some()),
+        _ => relation(item).is_some() && !is_arrow(item),
+    }
 }

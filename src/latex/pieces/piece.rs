@@ -4,7 +4,8 @@ use crate::formula::tree::Relation;
 use crate::source::{Fault, Span};
 
 use super::super::layout::Item;
-use super::super::reader::structure::states;
+use super::super::reader::structure::{is_extremum, states};
+use super::super::rows::is_significant;
 
 /// A statement as items: each member with the relation before it; the first has none.
 pub(in super::super) struct Piece<'a> {
@@ -17,6 +18,8 @@ pub(in super::super) struct Piece<'a> {
     pub(in super::super) has_alternatives: bool,
     /// Why it cannot be read, whatever its items say.
     pub(in super::super) fault: Option<Fault>,
+    /// Whether it stands behind a wide space alone: a remark, or another column.
+    pub(super) is_inserted: bool,
     /// The comma that separates it from the part before it.
     pub(super) comma: Option<&'a Item>,
 }
@@ -38,6 +41,7 @@ impl Piece<'_> {
             row,
             has_alternatives: false,
             fault: None,
+            is_inserted: false,
             comma: None,
         }
     }
@@ -45,6 +49,13 @@ impl Piece<'_> {
     /// Whether a sign such as ∈ or → states something in it.
     pub(super) fn has_sign(&self) -> bool {
         self.links.iter().flat_map(|link| &link.items).any(|item| states(item))
+    }
+
+    /// Whether `\min_x` or the like is all there is, so that what follows belongs to it: `\min_x \quad f(x)`.
+    pub(super) fn is_an_extremum(&self) -> bool {
+        let [Link { relation: None, items }] = self.links.as_slice() else { return false };
+        let mut solid = items.iter().filter(is_significant);
+        solid.next().is_some_and(|first| is_extremum(first)) && solid.next().is_none()
     }
 
     pub(super) fn ends_with_a_relation(&self) -> bool {

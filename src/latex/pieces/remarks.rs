@@ -29,8 +29,12 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
         }
         _ => return false,
     };
-    // `\text{Tr}(A)` is a function, `\mathrm{SO}(3)` a group.
-    let is_function = matches!(items.get(at + 1).map(|next| &next.layout), Some(Layout::Fence(Delimiter::Round, _)));
+    // `\text{Tr}(A)` is a function, `\mathrm{SO}(3)` a group; `\text{rank}(A)^2` is a power of the value.
+    let is_parenthesis = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::Round, _));
+    let is_function = match items.get(at + 1) {
+        Some(Item { layout: Layout::Scripts { nucleus, .. }, .. }) => is_parenthesis(nucleus),
+        next => next.is_some_and(|next| is_parenthesis(next)),
+    };
     let is_capital = word.len() > 1 && word.chars().all(|c| c.is_ascii_uppercase());
     if is_function && (is_capital || !is_prose(&word)) {
         return false;

@@ -7,10 +7,12 @@ use crate::formula::tree::{Expr, Index, MatrixFunction, Node};
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
+use super::super::lexer::Space;
 use super::super::names;
 use super::super::overdots;
+use super::super::rows::relation;
 use super::algebra::evidence::is_matrix;
-use super::items::{contents, differential, is_number, starts_differential, whole_number};
+use super::items::{contents, differential, is_number, joint, starts_differential, whole_number};
 use super::state::{Read, Reader, unknown_command};
 use super::structure::is_material;
 use super::values::Place;
@@ -226,6 +228,10 @@ impl Reader<'_> {
                     .help("write parentheses for a product")),
             };
         }
+        if delimiter == Delimiter::Square && self.symbols.may_be_abstract && are_entries(items) {
+            return Err(Fault::ambiguous(span, "this may be a row of entries or their product")
+                .help("write \\begin{pmatrix} a & b \\end{pmatrix} for a row, and parentheses for a product"));
+        }
         match delimiter {
             Delimiter::Round | Delimiter::Square | Delimiter::Curly => {
                 let mut inner = self.sum(items, span)?;
@@ -394,4 +400,32 @@ fn is_rate_in_a_frame(fence: &Item, below: &Item) -> bool {
         contents(by).get(1).and_then(|item| names::printed(item, None)).is_some_and(|found| found.name.base == "t");
     let is_place = |item: &Item| matches!(item.layout, Layout::Number(_) | Layout::Other('=' | '<' | '>' | '→'));
     is_d(above) && is_d(by) && is_time && !contents(below).iter().any(is_place)
+}
+
+/// Whether names stand apart from each other, as the entries of `[a\ b\ c]` do, and there is nothing else; or anything
+/// stands apart by a wide space, `[2u~~v]`.
+fn are_entries(items: &[Item]) -> bool {
+    let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
+    let is_wide = |at: usize| {
+        items[at].layout == Layout::Space(Space::Wide)
+            || is_space(&items[at]) && items.get(at + 1).is_some_and(is_space)
+    };
+    let inner = items.iter().position(|item| !is_space(item)).zip(items.iter().rposition(|item| !is_space(item)));
+    let Some((first, last)) = inner else { return false };
+    let is_joint = |item: &Item| {
+        joint(item).is_some() || matches!(item.layout, Layout::Other('+' | '-' | ',' | ';')) || relation(item).is_some()
+    };
+    let is_apart = |at: usize| {
+        let before = items[first..at].iter().rev().find(|item| !is_space(item));
+        let after = items[at..=last].iter().find(|item| !is_space(item));
+        is_wide(at) && before.is_some_and(|item| !is_joint(item)) && after.is_some_and(|item| !is_joint(item))
+    };
+    let is_entry = |entry: &[Item]| match entry {
+        [name] | [name, Item { layout: Layout::Fence(Delimiter::Round, _), .. }] => {
+            names::printed(name, None).is_some()
+        }
+        _ => false,
+    };
+    let entries: Vec<&[Item]> = items.split(is_space).filter(|entry| !entry.is_empty()).collect();
+    entries.len() > 1 && entries.iter().all(|entry| is_entry(entry)) || (first..last).any(is_apart)
 }

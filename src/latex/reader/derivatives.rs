@@ -92,6 +92,10 @@ impl Reader<'_> {
         let (Some(order), [d, time]) = (upper.first().and_then(differential), lower) else {
             return Ok(None);
         };
+        // `\frac{d-2}{dt}`: d is a letter.
+        if matches!(upper.get(1).map(|item| &item.layout), Some(Layout::Other('+' | '-'))) {
+            return Ok(None);
+        }
         let Some(time) = names::printed(time, None).filter(|_| differential(d) == Some(1)) else {
             return Ok(None);
         };

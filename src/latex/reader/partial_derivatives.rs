@@ -65,6 +65,13 @@ impl Reader<'_> {
     fn operator_of<'i>(&mut self, (upper, lower): (&'i [Item], &'i [Item]), span: Span) -> Read<Option<Operator<'i>>> {
         let Some((mark, order)) = upper.first().and_then(mark) else { return Ok(None) };
         let Some((below, _)) = lower.first().and_then(self::mark) else { return Ok(None) };
+        // `\frac{d-2}{d-1}`: d is a letter.
+        if [upper, lower]
+            .iter()
+            .any(|part| matches!(part.get(1).map(|item| &item.layout), Some(Layout::Other('+' | '-'))))
+        {
+            return Ok(None);
+        }
         if below != mark || mark == Mark::Total && self.symbols.find(&Name::plain("d")).is_some() {
             return Ok(None);
         }

@@ -55,6 +55,16 @@ impl Reader<'_> {
             Layout::Group(items) | Layout::Fence(_, items) => items,
             _ => return self.item(exponent),
         };
+        // `e^{-s(0)}`: the place at which an integral ends is put in, or s is a function.
+        let is_figure = |item: &Item| matches!(&item.layout, Layout::Fence(Delimiter::Round, inside) if matches!(inside.as_slice(), [only] if is_number(only)));
+        let applied = items.windows(2).find(|pair| names::printed(&pair[0], None).is_some() && is_figure(&pair[1]));
+        if let Some([name, place]) = applied.filter(|_| self.symbols.open) {
+            return Err(Fault::ambiguous(
+                name.span.to(place.span),
+                "a number in parentheses after a name may be a factor or the place where a function is taken",
+            )
+            .help("write \\cdot for the product"));
+        }
         let mut found: Vec<Item> = Vec::with_capacity(items.len());
         for term in items.split_inclusive(is_sign) {
             let length = term.len() - usize::from(term.last().is_some_and(is_sign));
@@ -118,6 +128,10 @@ impl Reader<'_> {
                     .help("only matrices that are declared or written out can be transposed; for a power, declare T")),
             };
         }
+        if self.is_level(self.name_of(base).0, sup) {
+            return Err(Fault::ambiguous(span, "what stands above may be the number of a step or a power")
+                .help("write the number of the step as a subscript, u_n; write a power as (u)^n"));
+        }
         match marks.as_slice() {
             [Item { layout: Layout::Command(name), .. }]
                 if [
@@ -163,6 +177,21 @@ impl Reader<'_> {
                     .help("write indices as a subscript; write a power as (x_1)^{n_2}"));
             }
         }
+        // `T^{a_1 \ldots a_r}`, `p^{B_1}`: names with an index of their own, or many of them.
+        let found: Vec<_> = marks.iter().filter_map(|item| names::printed(item, None)).collect();
+        let are_indexed = found.iter().all(|found| found.sup.is_none() && !found.name.subscript.is_empty());
+        let is_row = found.len() > 1
+            && marks.iter().all(|item| {
+                names::printed(item, None).is_some()
+                    || matches!(&item.layout, Layout::Command(name) if name == "\\dots")
+            });
+        let is_frame =
+            found.len() == marks.len() && found.len() == 1 && found[0].name.base.starts_with(char::is_uppercase);
+        let is_symbol = matches!(base.node, Node::Symbol { .. } | Node::Apply(..));
+        if self.symbols.open && is_symbol && are_indexed && (is_row || is_frame) {
+            return Err(Fault::ambiguous(span, "what stands above may be indices, a label or a power")
+                .help("write indices as a subscript; write a power as a product in parentheses, x^{(a \\cdot b)}"));
+        }
         if self.is_element_of_an_inverse(base, sup) {
             return Err(Fault::ambiguous(span, "this may be an element of the inverse, or one over an element")
                 .help("write (F^{-1})_{ij} or \\frac{1}{F_{ij}}"));
@@ -180,6 +209,13 @@ impl Reader<'_> {
                 .help("write indices as a subscript; for a power, use a letter that is no index elsewhere"));
         }
         match self.symbols.open {
+            // The letter of a Σ above a name without an index, `\sum_N N^3 x^N`, is a power.
+            true if matches!(letters.as_slice(), [only] if self.bound.contains(only))
+                && self.name_of(base).1.is_empty()
+                && matches!(letters[0].as_str(), "N" | "M" | "l") =>
+            {
+                Ok(())
+            }
             true => is_unlikely_index(self.name_of(base), base, &letters, sup, span),
             false => Ok(()),
         }
@@ -200,7 +236,7 @@ impl Reader<'_> {
     }
 
     /// The letter and the subscript of a symbol.
-    fn name_of(&self, base: &Expr) -> (&str, &[String]) {
+    pub(super) fn name_of(&self, base: &Expr) -> (&str, &[String]) {
         match &base.node {
             Node::Symbol { id, .. } => {
                 let name = &self.symbols.entry(*id).name;
@@ -219,7 +255,7 @@ fn is_unlikely_index(
     sup: &Item,
     span: Span,
 ) -> Read<()> {
-    let is_symbol = matches!(base.node, Node::Symbol { .. });
+    let is_symbol = matches!(base.node, Node::Symbol { .. } | Node::Apply(..));
     let is_number = matches!(base.node, Node::Number(_));
     let has_index = matches!(subscript, [.., last] if last.starts_with(|c: char| c.is_lowercase() || c == '\\'));
     let is_usual = |letter: &String| ["i", "j", "\\mu", "\\nu"].contains(&letter.as_str());

@@ -128,6 +128,12 @@ impl Reader<'_> {
         {
             return Ok(found);
         }
+        // `f(\cdot)`: any argument.
+        if let ([Item { layout: Layout::Command(name), .. }], true) = (items, self.is_abstract())
+            && name == "\\cdot"
+        {
+            return Ok(self.label(items, whole));
+        }
         // Factors between one `\cdot` or `\times` and the next stand side by side.
         let mut runs: Vec<(Joint, Vec<Expr>)> = vec![(Joint::Beside, Vec::new())];
         let mut next = Joint::Beside;
@@ -352,6 +358,9 @@ impl Reader<'_> {
     /// One factor. The flag is false for a function whose argument has no parentheses.
     pub(super) fn factor(&mut self, items: &[Item], cursor: &mut usize) -> Read<(Expr, bool)> {
         let item = &items[*cursor];
+        if let Some(found) = self.raised_operator(items, cursor)? {
+            return Ok((found, true));
+        }
         if self.is_abstract()
             && let Some(found) = self.abstract_factor(items, cursor)?
         {

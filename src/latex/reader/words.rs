@@ -56,6 +56,15 @@ pub(super) fn are_no_words(items: &[Item], symbols: &Symbols) -> Read<()> {
             span = span.to(place);
             at += 1;
         }
+        // `tr(A)^2`: the trace, or t times r(A).
+        let is_before_parenthesis = items.get(at + 1).is_some_and(|next| match &next.layout {
+            Layout::Scripts { nucleus, .. } => is_parenthesis(nucleus),
+            _ => is_parenthesis(next),
+        });
+        if symbols.open && is_before_parenthesis && ["tr", "Tr"].contains(&word.as_str()) {
+            return Err(Fault::ambiguous(span, format!("{word} may be the trace or a product"))
+                .help("write \\operatorname{tr} for the trace, and a space \\, between the letters of a product"));
+        }
         let has_index = matches!(items[at].layout, Layout::Scripts { sub: Some(_), .. });
         at += 1;
         // `ad_V` is the adjoint; `ad - bc` has no index.
@@ -95,6 +104,10 @@ fn is_no_word(word: &str, span: Span, symbols: &Symbols) -> Read<()> {
     // `e^{it}`
     if word == "it" && symbols.imaginary_here {
         return Ok(());
+    }
+    if symbols.inferred.segments.contains(word) {
+        return Err(Fault::ambiguous(span, format!("{word} may be the length between two points or a product"))
+            .help(format!("write |\\overrightarrow{{{word}}}| for the length; {apart}")));
     }
     let function = FUNCTIONS.iter().find(|name| word.contains(**name));
     if let Some(name) = function.or(SHORT.iter().find(|name| word == **name)) {

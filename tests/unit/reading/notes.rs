@@ -113,7 +113,7 @@ fn environments_inside_of_others() {
         ("\\begin{equation}\\begin{split} a &= b \\\\ &= c \\end{split}\\end{equation}", "a = b = c"),
         ("\\begin{equation*}\\begin{cases} a = b \\\\ c = d \\end{cases}\\end{equation*}", "a = b ¦ c = d"),
         ("\\begin{array}{rcl} a & = & b \\\\ c & = & d \\end{array}", "a = b ¦ c = d"),
-        ("a|n\\rangle = b \\quad (a|0\\rangle = 0)", "a·|n⟩ = b for a·|0⟩ = 0"),
+        ("a|n\\rangle = b \\quad (a|0\\rangle = 0)", "a·|n⟩ = b ¦ a·|0⟩ = 0"),
         ("\\displaylines{a = b \\\\ c = d}", "a = b ¦ c = d"),
         ("A = \\begin{pmatrix} a, \\\\ b. \\end{pmatrix}", "A = [a; b]"),
         ("a = \\left({b \\over c}\\right)^2 + \\left(b \\over c\\right)", "a = (b/c)^2 + b/c"),

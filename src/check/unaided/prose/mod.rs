@@ -8,7 +8,9 @@ use crate::latex::lines::implication;
 use crate::notes::Notes;
 
 use crate::check::unaided::inline::is_inline;
-use crate::check::unaided::prose::words::{ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, SOLUTION, WEAK};
+use crate::check::unaided::prose::words::{
+    ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, PASSING, ROOTS_OF, SOLUTION, WEAK,
+};
 
 /// The most bytes before a display that are taken for its words.
 const LONGEST: usize = 400;
@@ -89,6 +91,7 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
     // In English it is no word for what follows.
     let is_german_also = sentence.trim().trim_end_matches([',', ':']) == "also";
     let announced = match (says(ASSUMPTION), says(CONSEQUENCE) || is_german_also) {
+        _ if asks_for_roots(&sentence) || says(PASSING) => Announced::Assumption,
         (true, _) if says_only(WEAK, &sentence) => Announced::Condition,
         (true, _) => Announced::Assumption,
         (false, true) => Announced::Consequence,
@@ -100,6 +103,13 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
     let only_nearness =
         announced.is_supposed() && ASSUMPTION.iter().filter(|word| has_word(&sentence, word)).all(is_nearness);
     Words { announced, only_nearness, other_case: says(OTHER_CASE), named: cited(notes, at, all), connected }
+}
+
+/// Whether the display is an equation for something that is sought: "the turning points are the roots of".
+fn asks_for_roots(sentence: &str) -> bool {
+    let sentence =
+        sentence.trim().trim_end_matches([',', ':']).trim_end_matches(" the equation").trim_end_matches(" the");
+    ROOTS_OF.iter().any(|words| sentence.ends_with(words))
 }
 
 /// Whether all words for what is supposed in a sentence are among some.

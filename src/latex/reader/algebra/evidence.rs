@@ -344,6 +344,14 @@ fn is_evident(items: &[Item]) -> bool {
             nucleus.layout == Layout::Command("\\hbar".to_owned())
         })
     };
+    // `\frac{L + iv}{L - iv}`: a number over its conjugate.
+    let is_over_conjugate = |item: &Item| match &item.layout {
+        Layout::Fraction(above, below) => is_conjugate(contents(above), contents(below)),
+        _ => false,
+    };
+    if solid.iter().any(|item| is_over_conjugate(item)) {
+        return true;
+    }
     let here = solid.iter().enumerate().any(|(at, item)| match &item.layout {
         Layout::Scripts { nucleus, sub: None, sup: Some(sup), .. } => {
             let is_e = nucleus.layout == Layout::Letter('e')
@@ -442,4 +450,29 @@ fn is_index(items: &[Item]) -> bool {
         .enumerate()
         .any(|(at, pair)| is_i(pair[0]) && relation(pair[1]).is_some() && (at == 0 || is_break(solid[at - 1])));
     is_value || items.iter().any(|item| here(item) || parts(item).into_iter().any(is_index))
+}
+
+/// Whether two sums differ in the signs of their terms with i alone, and have such a term.
+fn is_conjugate(left: &[Item], right: &[Item]) -> bool {
+    let solid = |items: &[Item]| {
+        items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).cloned().collect::<Vec<_>>()
+    };
+    let (left, right) = (solid(left), solid(right));
+    let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
+    let mut changes = 0;
+    let is_same = left.len() == right.len()
+        && left.iter().zip(&right).enumerate().all(|(at, (a, b))| {
+            match a.layout == b.layout || is_sign(a) && is_sign(b) {
+                true if a.layout != b.layout => {
+                    changes += 1;
+                    left.get(at + 1).is_some_and(is_i)
+                }
+                is_same => {
+                    is_same
+                        || super::super::super::layout::latex(std::slice::from_ref(a))
+                            == super::super::super::layout::latex(std::slice::from_ref(b))
+                }
+            }
+        });
+    is_same && changes > 0
 }

@@ -200,7 +200,13 @@ impl Reader<'_> {
             || self.is_inferred_function(&entry.name)
             || super::structure::is_function_letter(&entry.name, inside);
         let is_term = !inside.iter().skip(1).any(|item| self.is_sign(item) || relation_or_comma(item));
+        // `w (\partial_c X) T`: a derivative in parentheses is a factor.
+        let is_derivative = inside.first().is_some_and(|first| {
+            let nucleus = if let Layout::Scripts { nucleus, .. } = &first.layout { nucleus } else { first };
+            nucleus.layout == Layout::Command("\\partial".to_owned())
+        });
         is_usual
+            && !is_derivative
             && is_term
             && !inside.is_empty()
             && !has_nabla(inside)

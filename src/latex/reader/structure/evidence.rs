@@ -14,6 +14,7 @@ pub(in super::super::super) fn note(items: &[Item], inferred: &mut Inferred) {
     found.list(items);
     inferred.index_letters.extend(found.lower);
     inferred.has_tensors |= found.has_pairs;
+    inferred.segments.extend(found.segments);
     inferred.has_operators |= found.has_operators;
     inferred.component_letters.extend(found.components);
     // `\partial_0 E^3`: where the derivatives have numbers, the capitals have them too.
@@ -92,7 +93,12 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
     };
     // P_l, J_n, Y_{lm}; but `P_0 \left(\frac{T}{T_0}\right)^\chi` is a product.
     let is_ratio = matches!(inside, [Item { layout: Layout::Fraction(..), .. }]);
-    let is_legendre = ["P", "J", "Y"].contains(&base) && !name.subscript.is_empty() && !is_ratio;
+    let is_capital = |item: &Item| matches!(item.layout, Layout::Letter('A'..='Z'));
+    let is_legendre = ["P", "J", "Y"].contains(&base)
+        && !name.subscript.is_empty()
+        && !is_ratio
+        // `P_{n+1}(A - BK_n)` is a product of matrices.
+        && !inside.first().is_some_and(is_capital);
     // The gamma function has no argument that varies with the time: `i\Gamma(x/c - t)` is refused as k(x − ct) is.
     let is_rate = base == "\\Gamma" && inside.iter().any(is_time);
     // One product in a parenthesis is a factor as often: `\rho(\xi^2 q)`.
@@ -222,6 +228,8 @@ struct Found {
     has_lone_e: bool,
     has_eccentricity: bool,
     has_exponential: bool,
+    /// The two points between which a vector goes, `\vec{PM}`.
+    segments: Vec<String>,
 }
 
 impl Found {
@@ -242,6 +250,19 @@ impl Found {
                     self.upper.push(letter.clone());
                 }
                 self.above.push(letter);
+            }
+            // `h^k(\\xi)`: a label, for nobody raises a function so.
+            let argument = items.get(at + 1).and_then(|next| match &next.layout {
+                Layout::Fence(Delimiter::Round, inside) => match inside.as_slice() {
+                    [only] => names::printed(only, None).filter(|found| found.sup.is_none()),
+                    _ => None,
+                },
+                _ => None,
+            });
+            if let (Some(letter), Some(_)) = (letter_above(item), argument)
+                && ["i", "j", "k", "l", "m", "n"].contains(&letter.as_str())
+            {
+                self.lower.push(letter);
             }
             self.below.extend(subscripts(item));
             self.transposed_factors += usize::from(is_transposed(item) && next.is_some_and(is_factor));
@@ -328,7 +349,10 @@ impl Found {
                 self.has_operators |= inside.iter().any(has_hat);
                 self.list(inside);
             }
-            Layout::Group(items) | Layout::Fence(_, items) => self.list(items),
+            Layout::Group(items) | Layout::Fence(_, items) => {
+                self.upper.extend(indexed_arguments(items));
+                self.list(items);
+            }
             Layout::Fraction(a, b) => {
                 self.has_constants |= is_of_charges(a, b);
                 self.has_eccentricity |= has_eccentricity(contents(a)) || has_eccentricity(contents(b));
@@ -347,6 +371,10 @@ impl Found {
                         && letter != "u"
                 });
             }
+            Layout::Accent(accent, inner) if accent == "\\vec" => {
+                self.segments.extend(segment(inner));
+                self.one(inner);
+            }
             Layout::Root(_, a) => {
                 self.has_eccentricity |= has_eccentricity(contents(a));
                 self.one(a);
@@ -359,6 +387,33 @@ impl Found {
             _ => {}
         }
     }
+}
+
+/// The letters above the names of a list with a rate in it, `(q^i, \dot q^i, t)`: nobody passes powers on.
+fn indexed_arguments(items: &[Item]) -> Vec<String> {
+    let parts: Vec<&[Item]> = items.split(|item| item.layout == Layout::Other(',')).collect();
+    let lone = |part: &&[Item]| match part
+        .iter()
+        .filter(|item| !matches!(item.layout, Layout::Space(_)))
+        .collect::<Vec<_>>()[..]
+    {
+        [only] => names::printed(only, None).map(|_| only.clone()),
+        _ => None,
+    };
+    let arguments: Vec<Item> = parts.iter().filter_map(lone).collect();
+    match arguments.len() == parts.len() && parts.len() > 1 && arguments.iter().any(is_rate) {
+        true => arguments.iter().filter_map(letter_above).collect(),
+        false => Vec::new(),
+    }
+}
+
+/// Two capitals, which are points below an arrow: `\overrightarrow{PM}`.
+pub(in super::super::super) fn segment(inner: &Item) -> Option<String> {
+    let capital = |item: &Item| match item.layout {
+        Layout::Letter(letter @ 'A'..='Z') => Some(letter),
+        _ => None,
+    };
+    contents(inner).iter().map(capital).collect::<Option<String>>().filter(|points| points.len() > 1)
 }
 
 /// The letters of a script, if it consists of usual index letters, digits and commas.

@@ -82,6 +82,17 @@ impl Reader<'_> {
             )
             .help("write 2.897 for the decimals, and 2897 for the thousands"));
         }
+        // `\alpha, \beta \in S`: the sign is about all names of the list.
+        let mut signs = items.iter().enumerate().filter(|(_, item)| sign(item, &["\\in", "\\notin"]));
+        if let (Some((at, _)), None) = (signs.next(), signs.next())
+            && items[..at].iter().any(is_comma)
+            && items[..at].iter().all(|item| {
+                is_comma(item) || matches!(item.layout, Layout::Space(_)) || names::printed(item, None).is_some()
+            })
+            && !items[at..].iter().any(is_comma)
+        {
+            return self.divided(items, &|item| sign(item, &["\\in", "\\notin"]), place).map(Some);
+        }
         if items.iter().any(is_comma) {
             return self.divided(items, &is_comma, place).map(Some);
         }

@@ -10,9 +10,11 @@
 //! | `acting` | letters that are operators or matrices, and no numbers |
 //! | `brackets` | states, mean values, commutators, Poisson brackets, tuples, intervals, sets |
 //! | `scripts` | indices, marks and labels above a symbol |
-//! | `operators` | derivatives by anything, ∂_μ and ∇ as operators, named functions |
+//! | `operators` | derivatives by anything, ∂_μ and ∇ as operators |
+//! | `named_functions` | `\max(a, b)` and other functions with a name; the power of their value |
 //! | `evidence` | which letters are indices, and which functions |
 //! | `indices` | letters above letters that are indices, or may be |
+//! | `levels` | numbers of steps above letters, `u^{n+1}` |
 //! | `repeated` | letters that two factors have as an index |
 //! | `infix` | ⊗, ∘ and the like; ∈, → and the like; lists |
 //!
@@ -23,6 +25,8 @@ mod brackets;
 mod evidence;
 mod indices;
 mod infix;
+mod levels;
+mod named_functions;
 mod operators;
 mod repeated;
 mod scripts;
@@ -31,6 +35,8 @@ pub(in super::super) use acting::note_acting;
 pub(in super::super) use evidence::{is_function_letter, note};
 pub(in super::super) use indices::{note_indices, note_possible_indices};
 pub(in super::super) use infix::{is_prose, states};
+pub(in super::super) use levels::note_levels;
+pub(in super::super) use operators::is_extremum;
 pub(super) use operators::is_material;
 
 use crate::formula::symbols::{Kind, Name, Operator};
@@ -113,6 +119,10 @@ impl Reader<'_> {
                 Some(self.label(std::slice::from_ref(item), span))
             }
             Layout::Style(_, inner) if super::items::whole_number(inner).is_some() => None,
+            Layout::Accent(accent, inner) if accent == "\\vec" && evidence::segment(inner).is_some() => {
+                let points = evidence::segment(inner).unwrap_or_default();
+                Some(self.valueless(Name::plain(format!("\\vec{{{points}}}")), 0, span)?)
+            }
             Layout::Style(style, inner) | Layout::Accent(style, inner) => {
                 let inner = self.item(inner)?;
                 Some(self.template(&format!("{style}{{#}}"), vec![inner], span))
@@ -139,6 +149,9 @@ impl Reader<'_> {
                         span,
                     },
                 };
+                if let Some(fault) = contents(sub).iter().find_map(fault_in) {
+                    return Err(fault);
+                }
                 let inner = self.item(&inner)?;
                 let below = printed(contents(sub));
                 // Parentheses around one factor are shown: the script belongs to all of it.
@@ -167,6 +180,14 @@ impl Reader<'_> {
 /// Whether a fraction stands alone, as in `(\partial S/\partial V)_T`.
 fn is_derivative(items: &[Item]) -> bool {
     matches!(items, [Item { layout: Layout::Fraction(..), .. }])
+}
+
+/// Why a part of a script cannot be read.
+fn fault_in(item: &Item) -> Option<Fault> {
+    match &item.layout {
+        Layout::Fault(fault) => Some(fault.clone()),
+        _ => super::items::parts(item).into_iter().flatten().find_map(fault_in),
+    }
 }
 
 /// Items as they are printed, for a template.

@@ -1,5 +1,5 @@
 //! Operators without a value: derivatives by anything, `\frac{\partial L}{\partial \vec q}`, `\frac{D\vec u}{Dt}`; ∂ and ∇ with
-//! an index, or with nothing to act on; named functions, `\max(a, b)`.
+//! an index, or with nothing to act on.
 
 use crate::formula::tree::Expr;
 use crate::source::{Fault, Span};
@@ -10,12 +10,16 @@ use super::super::super::rows::relation;
 use super::super::items::{contents, differential, is_any_integral, is_big_sum, joint, whole_number};
 use super::super::state::{Read, Reader};
 use super::super::undeclared::is_constant_before_an_integral;
-use super::{is_prose, printed};
+use super::named_functions::is_named;
+use super::printed;
 
 impl Reader<'_> {
     /// A factor that only the second attempt reads; `None` for any other.
     pub(in super::super) fn abstract_factor(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
         if let Some(found) = self.braced(items, cursor)? {
+            return Ok(Some(found));
+        }
+        if let Some(found) = self.operator_at_a_place(items, cursor)? {
             return Ok(Some(found));
         }
         if let Some(found) = self.abstract_derivative(items, cursor)? {
@@ -123,7 +127,20 @@ impl Reader<'_> {
         cursor: &mut usize,
     ) -> Read<Expr> {
         if !self.is_abstract() {
-            return Ok(factor);
+            return match (items.get(*cursor - 1), items.get(*cursor)) {
+                (Some(before), Some(next))
+                    if self.symbols.open
+                        && is_parenthesis(before)
+                        && is_one_name(next)
+                        && factor.span.start < before.span.start
+                        && before.span.end == next.span.start =>
+                {
+                    let span = factor.span.to(next.span);
+                    Err(Fault::ambiguous(span, "f(x)(y) may be a function of y or a product")
+                        .help("for a product, remove the second pair of parentheses"))
+                }
+                _ => Ok(factor),
+            };
         }
         let mut factor = self.factorial(factor, items, cursor);
         factor = self.applied_to_a_list(factor, items, cursor)?;
@@ -148,7 +165,10 @@ impl Reader<'_> {
         else {
             return Ok(factor);
         };
-        if !inside.iter().any(is_comma) || before.span.end != span.start {
+        // `\mathcal{L}(f)(s)`: nobody puts a single name in parentheses as a factor.
+        let is_name = is_one_name(&items[*cursor]);
+        let is_call = factor.span.start < before.span.start;
+        if !(inside.iter().any(is_comma) || is_name && is_call) || before.span.end != span.start {
             return Ok(factor);
         }
         *cursor += 1;
@@ -172,6 +192,11 @@ impl Reader<'_> {
             _ => (String::new(), above),
         };
         let (Some(first), Some(lower)) = (above.first(), below.first()) else { return Ok(None) };
+        // `\frac{d-2}{d-1}`: a letter, and no derivative.
+        let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
+        if [above, below].iter().any(|part| part.get(1).is_some_and(is_sign)) {
+            return Ok(None);
+        }
         let (Some(mark), Some(_)) = (mark(first), mark_alone(lower)) else { return Ok(None) };
         if below.len() < 2 {
             return Ok(None);
@@ -185,6 +210,27 @@ impl Reader<'_> {
         }
         let applied = self.on_the_rest(items, cursor)?;
         Ok(Some(self.acting(&template(""), applied, item.span)))
+    }
+
+    /// `\left.\frac{d}{dt}\right|_{t=0} g(t)`: the derivative of what follows, at a place. `None` for anything else.
+    fn operator_at_a_place(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        let item = &items[*cursor];
+        let Layout::Scripts { nucleus, sub, sup, primes: 0 } = &item.layout else { return Ok(None) };
+        let Layout::Fence(Delimiter::Evaluation, inside) = &nucleus.layout else { return Ok(None) };
+        let mut solid = inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+        let (Some(operator), None) = (solid.next(), solid.next()) else { return Ok(None) };
+        let Layout::Fraction(above, below) = &operator.layout else { return Ok(None) };
+        let is_operator = |above: &[Item]| matches!(above, [only] if mark(only).is_some());
+        let lower = contents(below).first().and_then(mark_alone);
+        if !is_operator(contents(above)) || lower.is_none() {
+            return Ok(None);
+        }
+        let mut rest = *cursor + 1;
+        let Some(applied) = self.on_the_rest(items, &mut rest)? else { return Ok(None) };
+        *cursor = rest;
+        let derivative = self.acting(&printed(std::slice::from_ref(operator)), Some(applied), item.span);
+        let span = derivative.span;
+        self.evaluated(derivative, (sub.as_deref(), sup.as_deref()), span).map(Some)
     }
 
     /// `\frac{\partial f}{\partial x}(x_0, y)`: a derivative at a place, if names, numbers or a list stand in parentheses.
@@ -254,7 +300,7 @@ impl Reader<'_> {
     }
 
     /// The next factor, which an operator acts on; `None` if there is none.
-    fn on_the_next(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+    pub(super) fn on_the_next(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
         is_no_long_chain(&items[*cursor..])?;
         let next = items[*cursor..].iter().position(|item| !matches!(item.layout, Layout::Space(_)));
         let Some(next) = next.map(|at| *cursor + at).filter(|at| joint(&items[*at]).is_none()) else { return Ok(None) };
@@ -324,49 +370,6 @@ impl Reader<'_> {
         Ok(Some(self.template(&template, vec![inner], place)))
     }
 
-    /// `\max(a, b)`, `\mathrm{erf}(x)`, `\log x`: a named function of what follows.
-    pub(in super::super) fn named_function(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
-        let item = &items[*cursor];
-        let (nucleus, is_bare) = match &item.layout {
-            Layout::Scripts { nucleus, primes: 0, .. } => (&**nucleus, false),
-            _ => (item, true),
-        };
-        let is_word = |item: &Item| matches!(item.layout, Layout::Letter(_) | Layout::Number(_) | Layout::Other('-'));
-        let is_function = match &nucleus.layout {
-            Layout::Command(name) => FUNCTIONS.contains(&name.trim_start_matches('\\')),
-            Layout::Text(word) => {
-                let next = items.get(*cursor + 1).map(|next| &next.layout);
-                !is_prose(word) && matches!(next, Some(Layout::Fence(Delimiter::Round | Delimiter::Square, _)))
-            }
-            Layout::Style(style, inner) if style == "\\mathrm" && contents(inner).iter().all(is_word) => {
-                let word = printed(contents(inner));
-                let has_argument =
-                    matches!(items.get(*cursor + 1).map(|next| &next.layout), Some(Layout::Fence(Delimiter::Round, _)));
-                FUNCTIONS.contains(&word.as_str()) || contents(inner).len() > 1 && has_argument && is_bare
-            }
-            _ => false,
-        };
-        if !is_function {
-            return Ok(None);
-        }
-        *cursor += 1;
-        let name = printed(std::slice::from_ref(item));
-        if let Some(Item { layout: Layout::Fence(Delimiter::Round | Delimiter::Square, inside), span }) =
-            items.get(*cursor)
-        {
-            *cursor += 1;
-            let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
-            let arguments = inside.split(is_comma).map(|part| self.sum(part, *span)).collect::<Read<Vec<_>>>()?;
-            let holes = vec!["#"; arguments.len()].join(", ");
-            return Ok(Some(self.template(&format!("{name}({holes})"), arguments, item.span.to(*span))));
-        }
-        let Some(inner) = self.on_the_next(items, cursor)? else {
-            return Ok(Some(self.template(&name, Vec::new(), item.span)));
-        };
-        let span = item.span.to(inner.span);
-        Ok(Some(self.template(&format!("{name}(#)"), vec![inner], span)))
-    }
-
     /// `n!`, at the exclamation mark.
     pub(in super::super) fn factorial(&mut self, value: Expr, items: &[Item], cursor: &mut usize) -> Expr {
         let mut value = value;
@@ -394,16 +397,6 @@ fn is_no_long_chain(items: &[Item]) -> Read<()> {
     }
 }
 
-/// Whether an item may be the name of a function, `\max` or `\mathrm{erf}`.
-fn is_named(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Scripts { nucleus, .. } => is_named(nucleus),
-        Layout::Command(name) => FUNCTIONS.contains(&name.trim_start_matches('\\')),
-        Layout::Style(style, _) => style == "\\mathrm",
-        _ => false,
-    }
-}
-
 /// Whether an item is a derivative, or ∂ or ∇.
 fn is_derivative(item: &Item) -> bool {
     match &item.layout {
@@ -416,17 +409,28 @@ fn is_derivative(item: &Item) -> bool {
     }
 }
 
+/// Whether an item is one name in parentheses, `(s)`.
+fn is_one_name(item: &Item) -> bool {
+    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+    matches!(inside.as_slice(), [only] if names::printed(only, None).is_some_and(|found| found.sup.is_none()))
+}
+
 fn is_parenthesis(item: &Item) -> bool {
     let nucleus = if let Layout::Scripts { nucleus, .. } = &item.layout { nucleus } else { item };
     matches!(nucleus.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, _))
 }
 
 /// `\min_x`, which acts on the whole sum after it.
-fn is_extremum(item: &Item) -> bool {
+pub(in super::super::super) fn is_extremum(item: &Item) -> bool {
     let Layout::Scripts { nucleus, sub: Some(_), sup: None, primes: 0 } = &item.layout else { return false };
+    const WORDS: [&str; 6] = ["argmin", "argmax", "minimize", "maximize", "minimum", "maximum"];
+    let nucleus = match contents(nucleus) {
+        [only] => only,
+        _ => nucleus,
+    };
     match &nucleus.layout {
         Layout::Command(name) => ["\\min", "\\max", "\\sup", "\\inf"].contains(&name.as_str()),
-        Layout::Style(_, inner) => ["argmin", "argmax"].contains(&printed(contents(inner)).as_str()),
+        Layout::Style(_, inner) => WORDS.contains(&printed(contents(inner)).as_str()),
         _ => false,
     }
 }
@@ -436,14 +440,6 @@ fn is_bare_script(item: &Item) -> bool {
     matches!(&item.layout, Layout::Scripts { nucleus, .. } if nucleus.layout == Layout::Group(Vec::new()))
 }
 
-/// Functions that have a command or an upright name, and no value here.
-const FUNCTIONS: [&str; 34] = [
-    "log", "lg", "max", "min", "sup", "inf", "arg", "argmax", "argmin", "sgn", "sign", "dim", "ker", "rank", "span",
-    "erf", "erfc", "sinc", "gcd", "Pr", "hom", "Res", "Var", "Cov", "ad", "Ad", "div", "grad", "rot", "curl", "diag",
-    "arctanh", "arcsinh", "arccosh",
-];
-
-/// What begins the numerator of a derivative, with its order: d, ∂, δ, D.
 /// Items, where braces around one of them are left out, as a macro writes them: `\partial{x}`.
 fn without_braces(items: &[Item]) -> Vec<Item> {
     let one = |item: &Item| match contents(item) {
@@ -453,6 +449,7 @@ fn without_braces(items: &[Item]) -> Vec<Item> {
     items.iter().map(one).collect()
 }
 
+/// What begins the numerator of a derivative, with its order: d, ∂, δ, D.
 fn mark(item: &Item) -> Option<String> {
     match &item.layout {
         Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => {

@@ -29,8 +29,9 @@ impl Reader<'_> {
                     || !is_number && is_word(sup)
                     || !is_number && self.is_index(sup)
                     || self.is_component(base, sup)
+                    || self.is_certain_level(self.name_of(base).0, sup)
                     || self.is_element_of_an_inverse(base, sup)
-                    || self.has_subscript(base) && is_lone_letter(sup)
+                    || self.has_subscript(base) && self.may_be_a_label(sup)
                     || self.has_indices(base) && names::printed(sup, None).is_some_and(|found| found.sup.is_none())
                     || has_no_powers && (is_minus_one(sup) || whole_number(sup).is_none())
             }
@@ -45,6 +46,13 @@ impl Reader<'_> {
             Node::Apply(id, _) => self.symbols.entry(*id).name.base.contains("#_{"),
             _ => false,
         }
+    }
+
+    /// Whether a lone letter above may be a label: no letter that is usual for a power, as in `D h_i^r`.
+    fn may_be_a_label(&self, sup: &Item) -> bool {
+        const POWERS: [&str; 5] = ["a", "b", "p", "q", "r"];
+        let is_power = |found: names::Printed<'_>| POWERS.contains(&found.name.base.as_str());
+        is_lone_letter(sup) && (!names::printed(sup, None).is_some_and(is_power) || self.is_index(sup))
     }
 
     /// Whether two letters stand below a base, Greek or with a subscript of their own: `\Gamma_{\theta_t\theta_t}`.
@@ -109,7 +117,10 @@ fn is_word(sup: &Item) -> bool {
         "ex", "ext", "in", "out", "eff", "tot", "kin", "pot", "int", "rot", "max", "min", "eq", "cl", "rel", "cm",
         "el", "mag", "vib", "obs",
     ];
-    WORDS.contains(&printed(contents(sup)).as_str())
+    // `Q^{EXC}`, `F^{LJ}`: capitals side by side.
+    let is_capital = |item: &Item| matches!(item.layout, Layout::Letter('A'..='Z'));
+    let are_capitals = contents(sup).len() > 2 && contents(sup).iter().all(is_capital);
+    are_capitals || WORDS.contains(&printed(contents(sup)).as_str())
 }
 
 /// Whether what stands above is a sign, a word or a number in parentheses, and so no power.

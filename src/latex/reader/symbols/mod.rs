@@ -227,6 +227,15 @@ impl Reader<'_> {
         let is_acting = self.symbols.inferred.acting.contains(name);
         if self.is_abstract() && (name.base.starts_with("\\mathrm{") || is_acting) {
             let symbol = self.valueless(name.clone(), printed.dots, span)?;
+            // `\langle\psi|A(t)|\psi\rangle`
+            if let (true, None, Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence })) =
+                (is_acting, printed.sup, items.get(*cursor))
+                && matches!(inside.as_slice(), [only] if names::printed(only, None).is_some_and(|found| found.sup.is_none()))
+            {
+                *cursor += 1;
+                let argument = self.sum(inside, *fence)?;
+                return Ok(self.template("#(#)", vec![symbol, argument], span.to(*fence)));
+            }
             return match printed.sup {
                 Some(sup) => self.raised(symbol, sup, span),
                 None => Ok(symbol),

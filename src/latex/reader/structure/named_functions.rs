@@ -1,0 +1,142 @@
+//! Functions with a name and no value here, `\max(a, b)`, `\mathrm{erf}(x)`; and the power of an operator with a parenthesis.
+
+use crate::formula::tree::Expr;
+use crate::source::Fault;
+
+use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::algebra::operator_word;
+use super::super::items::contents;
+use super::super::state::{Read, Reader};
+use super::{is_prose, printed};
+
+impl Reader<'_> {
+    /// `\det(A)^2`, `\max(a, b)^2`: the power is of the value, for nothing else is raised in print.
+    ///
+    /// `\sin(x)^2` and `\ln(x)^2` are rejected, since some authors mean the argument.
+    pub(in super::super) fn raised_operator(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        let head = &items[*cursor];
+        let Some(Item { layout: Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 }, span }) =
+            items.get(*cursor + 1)
+        else {
+            return Ok(None);
+        };
+        let Some(word) = operator_name(head) else { return Ok(None) };
+        if !matches!(nucleus.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, _)) {
+            return Ok(None);
+        }
+        if DOUBTFUL.contains(&word.as_str()) {
+            let what = format!("\\{word}(x)^2 may be (\\{word}(x))^2 or \\{word}(x^2)");
+            return Err(Fault::ambiguous(head.span.to(*span), what)
+                .help(format!("write (\\{word}(x))^2 for the power of the function")));
+        }
+        if !WITH_VALUE.contains(&word.as_str()) && !FUNCTIONS.contains(&word.as_str()) {
+            return Ok(None);
+        }
+        *cursor += 2;
+        let whole = head.span.to(*span);
+        let (value, _) = self.factor(&[head.clone(), (**nucleus).clone()], &mut 0)?;
+        self.raised(value, sup, whole).map(Some)
+    }
+
+    /// `\max(a, b)`, `\mathrm{erf}(x)`, `\log x`: a named function of what follows.
+    pub(in super::super) fn named_function(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+        let item = &items[*cursor];
+        let (nucleus, is_bare) = match &item.layout {
+            Layout::Scripts { nucleus, primes: 0, .. } => (&**nucleus, false),
+            _ => (item, true),
+        };
+        // `\mathop{\mathrm{minimize}}_u`
+        let nucleus = match contents(nucleus) {
+            [only] if matches!(nucleus.layout, Layout::Group(_)) => only,
+            _ => nucleus,
+        };
+        let is_word = |item: &Item| matches!(item.layout, Layout::Letter(_) | Layout::Number(_) | Layout::Other('-'));
+        let is_function = match &nucleus.layout {
+            Layout::Command(name) => FUNCTIONS.contains(&name.trim_start_matches('\\')),
+            Layout::Text(word) => {
+                let next = items.get(*cursor + 1).map(|next| &next.layout);
+                !is_prose(word) && matches!(next, Some(Layout::Fence(Delimiter::Round | Delimiter::Square, _)))
+            }
+            // `\mathbb{E}_\theta[f]`, `\mathbb{P}(A)`: a mean value, a probability.
+            Layout::Style(style, inner) if style == "\\mathbb" => {
+                let next = items.get(*cursor + 1).map(|next| &next.layout);
+                ["E", "P", "V"].contains(&printed(contents(inner)).as_str())
+                    && matches!(next, Some(Layout::Fence(Delimiter::Round | Delimiter::Square | Delimiter::Curly, _)))
+            }
+            Layout::Style(style, inner) if style == "\\mathrm" && contents(inner).iter().all(is_word) => {
+                let word = printed(contents(inner));
+                let has_argument =
+                    matches!(items.get(*cursor + 1).map(|next| &next.layout), Some(Layout::Fence(Delimiter::Round, _)));
+                FUNCTIONS.contains(&word.as_str()) || contents(inner).len() > 1 && has_argument && is_bare
+            }
+            _ => false,
+        };
+        if !is_function {
+            return Ok(None);
+        }
+        *cursor += 1;
+        let name = printed(std::slice::from_ref(item));
+        if let Some(Item { layout: Layout::Fence(Delimiter::LeftOpen | Delimiter::RightOpen, _), span }) =
+            items.get(*cursor)
+        {
+            return Err(Fault::ambiguous(*span, "this may be an interval or the arguments of the function before it")
+                .help("close the arguments of a function with the bracket that opens them"));
+        }
+        if let Some(Item { layout: Layout::Fence(delimiter, inside), span }) = items.get(*cursor)
+            && let Some((open, close)) = brackets(*delimiter)
+        {
+            *cursor += 1;
+            let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
+            let arguments = inside.split(is_comma).map(|part| self.sum(part, *span)).collect::<Read<Vec<_>>>()?;
+            let holes = vec!["#"; arguments.len()].join(", ");
+            return Ok(Some(self.template(&format!("{name}{open}{holes}{close}"), arguments, item.span.to(*span))));
+        }
+        let Some(inner) = self.on_the_next(items, cursor)? else {
+            return Ok(Some(self.template(&name, Vec::new(), item.span)));
+        };
+        let span = item.span.to(inner.span);
+        Ok(Some(self.template(&format!("{name}(#)"), vec![inner], span)))
+    }
+}
+
+/// The brackets around the arguments of a function; those of `\mathbb{E}[x]` are shown as they are.
+fn brackets(delimiter: Delimiter) -> Option<(&'static str, &'static str)> {
+    match delimiter {
+        Delimiter::Round => Some(("(", ")")),
+        Delimiter::Square => Some(("[", "]")),
+        Delimiter::Curly => Some(("\\{", "\\}")),
+        _ => None,
+    }
+}
+
+/// Operators with a value before a parenthesis, whose power stands behind it.
+const WITH_VALUE: [&str; 8] = ["det", "tr", "Tr", "trace", "Re", "Im", "real", "imag"];
+
+/// Functions of which some authors raise the argument so.
+const DOUBTFUL: [&str; 2] = ["log", "lg"];
+
+/// The word that an operator is, with an index perhaps.
+fn operator_name(head: &Item) -> Option<String> {
+    let base = if let Layout::Scripts { nucleus, primes: 0, .. } = &head.layout { nucleus } else { head };
+    match &base.layout {
+        Layout::Text(word) => Some(word.clone()).filter(|word| !is_prose(word)),
+        _ => operator_word(base),
+    }
+}
+
+/// Whether an item may be the name of a function, `\max` or `\mathrm{erf}`.
+pub(super) fn is_named(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Scripts { nucleus, .. } => is_named(nucleus),
+        Layout::Command(name) => FUNCTIONS.contains(&name.trim_start_matches('\\')),
+        Layout::Style(style, _) => style == "\\mathrm",
+        _ => false,
+    }
+}
+
+/// Functions that have a command or an upright name, and no value here.
+const FUNCTIONS: [&str; 38] = [
+    "log", "lg", "max", "min", "minimum", "maximum", "minimize", "maximize", "sup", "inf", "arg", "argmax", "argmin",
+    "sgn", "sign", "dim", "ker", "rank", "span", "erf", "erfc", "sinc", "gcd", "Pr", "hom", "Res", "Var", "Cov", "ad",
+    "Ad", "div", "grad", "rot", "curl", "diag", "arctanh", "arcsinh", "arccosh",
+];
