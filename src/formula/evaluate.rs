@@ -177,13 +177,13 @@ impl<D: Differentiable> Evaluator<'_, D> {
             }
             Node::Transpose(inner) => match self.value(inner)?.as_matrix() {
                 Some(m) => Value::of_matrix(m.transpose()),
-                _ => return Err(Unavailable::Operation("the transpose of something that is no matrix")),
+                _ => return Err(Unavailable::Operation("the transpose of something that is not a matrix")),
             },
             Node::Inverse(inner) => match self.value(inner)? {
-                Value::Matrix(m) => {
-                    Value::Matrix(matrices::inverse(&m).ok_or(Unavailable::Operation("the inverse of this matrix"))?)
-                }
-                _ => return Err(Unavailable::Operation("the inverse of something that is no matrix")),
+                Value::Matrix(m) => Value::Matrix(
+                    matrices::inverse(&m).ok_or(Unavailable::Operation("the inverse of a matrix of this size"))?,
+                ),
+                _ => return Err(Unavailable::Operation("the inverse of something that is not a matrix")),
             },
             Node::Entry(inner, row, column) => match (self.value(inner)?, self.index(*row)?, self.index(*column)?) {
                 (Value::Matrix(m), i, j)
@@ -191,7 +191,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 {
                     Value::Scalar(m[(usize::from(i) - 1, usize::from(j) - 1)])
                 }
-                _ => return Err(Unavailable::Operation("an entry of something that is no matrix")),
+                _ => return Err(Unavailable::Operation("an entry of something that is not a matrix")),
             },
             Node::Epsilon([a, b, c]) => {
                 let [a, b, c] = [self.index(*a)?, self.index(*b)?, self.index(*c)?].map(i32::from);
@@ -302,7 +302,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
     fn vector(&mut self, expr: &Expr) -> Evaluated<Vector3<D>> {
         match self.value(expr)? {
             Value::Vector(value) => Ok(value),
-            _ => Err(Unavailable::Operation("a vector where there is none")),
+            _ => Err(Unavailable::Operation("a vector where a number is needed")),
         }
     }
 
@@ -404,7 +404,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 }
                 (Value::Matrix(m), Some(n)) if n.is_whole() && (1..=64).contains(&n.numerator) => {
                     let power = matrices::power(&m, n.numerator as u32);
-                    return power.map(Value::Matrix).ok_or(Unavailable::Operation("a power of this matrix"));
+                    return power.map(Value::Matrix).ok_or(Unavailable::Operation("this power of a matrix"));
                 }
                 _ => return Err(Unavailable::Operation("this power")),
             },

@@ -14,10 +14,11 @@ impl<D: Differentiable> Evaluator<'_, D> {
         match &expr.node {
             Node::OfMatrix(function, inner) => match self.value(inner)? {
                 Value::Matrix(m) => {
-                    let value = function.of(&m).ok_or(Unavailable::Operation("this function of this matrix"))?;
+                    let value =
+                        function.of(&m).ok_or(Unavailable::Operation("this function of a matrix of this size"))?;
                     Ok(Value::Scalar(value))
                 }
-                _ => Err(Unavailable::Operation("a function of a matrix of something that is none")),
+                _ => Err(Unavailable::Operation("a function of a matrix, applied to something else,")),
             },
             Node::Commutator(a, b) => {
                 let (a, b) = (self.value(a)?, self.value(b)?);
@@ -29,21 +30,27 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 let number = match self.value(inner)? {
                     Value::Scalar(x) => Complex::real(x),
                     Value::Complex(z) => z,
-                    _ => return Err(Unavailable::Operation("a part of something that is no number")),
+                    _ => {
+                        return Err(Unavailable::Operation(
+                            "a real part or an argument of something that is not a number",
+                        ));
+                    }
                 };
                 Ok(number.part(*part).map_or_else(Value::Complex, Value::Scalar))
             }
             Node::Cases(branches) => self.cases(branches),
             Node::Letter(name) => {
                 let value = self.letters.iter().rev().find(|(letter, _)| letter == name).map(|(_, value)| *value);
-                value.map(Value::Scalar).ok_or(Unavailable::Operation("the letter of an integral outside of it"))
+                value
+                    .map(Value::Scalar)
+                    .ok_or(Unavailable::Operation("the variable of an integral outside of the integral"))
             }
             Node::Definite(of) => {
                 let environment = self.environment;
                 let is_closed = self.indices.is_empty() && self.letters.is_empty();
                 environment.quadrature(of, is_closed, &mut || self.integral(of))
             }
-            Node::Rest(_) => Err(Unavailable::Operation("a sum of which terms are left out")),
+            Node::Rest(_) => Err(Unavailable::Operation("a sum whose further terms are left out")),
             _ => Err(Unavailable::Operation("this operation")),
         }
     }
@@ -87,7 +94,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
 /// notes that an order was asked for.
 fn compare<D: Differentiable>(difference: D, relation: Relation) -> Evaluated<bool> {
     if difference.re().is_nan() {
-        return Err(Unavailable::Operation("a comparison with something that has no value"));
+        return Err(Unavailable::Operation("a comparison of numbers without a value"));
     }
     Ok(match relation {
         Relation::Less => difference.is_negative(),
@@ -97,7 +104,7 @@ fn compare<D: Differentiable>(difference: D, relation: Relation) -> Evaluated<bo
         Relation::Equal | Relation::Identical => !difference.is_positive() && !difference.is_negative(),
         Relation::NotEqual => difference.is_positive() || difference.is_negative(),
         Relation::Approximately | Relation::Proportional => {
-            return Err(Unavailable::Operation("a comparison that is not exact"));
+            return Err(Unavailable::Operation("a comparison with ≈ or ∝"));
         }
     })
 }

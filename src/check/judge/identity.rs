@@ -81,8 +81,9 @@ fn to_all_digits(link: &Link, ensemble: &Ensemble<'_>, finding: Finding) -> Find
         match decide(link, state, &ensemble.projection) {
             Decision::Differ(failure) if enclosed::is_beyond_doubles(&failure) => {
                 let by = failure.residual.log10().floor();
-                let message =
-                    format!("the two sides differ, by about 10^{by} of their size; look at the digits of its numbers");
+                let message = format!(
+                    "the two sides differ by about 10^{by} of their size; check the digits of the printed numbers"
+                );
                 return Finding {
                     max_residual: Some(failure.residual),
                     counterexample: Some(counterexample(link, state, &failure)),
@@ -91,8 +92,8 @@ fn to_all_digits(link: &Link, ensemble: &Ensemble<'_>, finding: Finding) -> Find
             }
             // At this state the most digits were tried.
             Decision::Absorbed if at == 0 => {
-                let message = "a term is too small beside another one to be seen, so that the two sides agree to hundreds of \
-                               digits whether they are equal or not; choose smaller numbers or ranges";
+                let message = "one term is so small beside another that the two sides agree to hundreds of \
+                               digits, whether they are equal or not; choose smaller numbers or ranges";
                 return finding.replaced(Code::WithinRounding, Verdict::Undecided, message.to_owned());
             }
             Decision::Agree | Decision::Absorbed => {}

@@ -138,11 +138,8 @@ fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>, is_abstra
                 && !is_aside(&items, at)
             {
                 name.fault.get_or_insert_with(|| {
-                    Fault::unsupported(
-                        item.span,
-                        "these words say something of what stands before them, and are not supported",
-                    )
-                    .help("write an equation, or a comma before words that only explain")
+                    Fault::unsupported(item.span, "these words qualify the formula before them, which is not supported")
+                        .help("write an equation, or a comma before words that only explain")
                 });
             }
             pieces.extend(current.take());

@@ -306,9 +306,11 @@ impl Reader<'_> {
             let (by, beside) = (name(by.id), name(beside.id));
             return Err(Fault::ambiguous(
                 span,
-                format!("{beside} may be fixed in this derivative, or change with {by}, whose formula contains it"),
+                format!(
+                    "the formula of {by} contains {beside}, which may stay fixed in this derivative or change with {by}"
+                ),
             )
-            .help(format!("write {beside} or {by} alone in what is differentiated")));
+            .help(format!("write the differentiated formula with only one of the two, {beside} or {by}")));
         }
         let is_momentum = |other: &&Variable| fixed.contains(&other.id) && self.symbols.entry(other.id).is_momentum();
         // The momentum of a cyclic coordinate stands beside the velocities of the others in a Routhian.
@@ -343,8 +345,11 @@ impl Reader<'_> {
         let is_by = |other: &Variable| other == by;
         let is_composed = |other: &Variable| self.symbols.open && self.symbols.entry(other.id).is_composed();
         if others.iter().any(is_composed) || self.symbols.infers() && !others.iter().all(is_by) {
-            return Err(Fault::ambiguous(item.span, "a letter may depend on this variable or not")
-                .help("say in a claims file what the letters are"));
+            return Err(Fault::ambiguous(
+                item.span,
+                "a letter in this derivative may or may not depend on the variable",
+            )
+            .help("declare the letters in a claims file"));
         }
         if let Some(unread) = self.symbols.unread_in(formula).filter(|id| *id != by.id) {
             return Err(self.refused(&NoDerivative::Unknown(unread), span));
@@ -378,8 +383,8 @@ impl Reader<'_> {
                 Err(self.refused(&NoDerivative::Unknown(others[0].id), span))
             }
             _ if self.symbols.open && !others.iter().any(is_by) && !others.is_empty() => {
-                Err(Fault::ambiguous(item.span, "a letter may depend on this variable or not")
-                    .help("say in a claims file what the letters are"))
+                Err(Fault::ambiguous(item.span, "a letter in this derivative may or may not depend on the variable")
+                    .help("declare the letters in a claims file"))
             }
             _ => derivative::partial(formula, by, scope, span).map_err(refused),
         }
