@@ -250,7 +250,7 @@ pub(super) fn left_open(equation: Equation) -> Equation {
 }
 
 fn taken_for_granted(span: Span) -> Finding {
-    let message = "this does not follow from the other displays; it is taken for granted, and was not checked";
+    let message = "this does not follow from the other displays, so it was not checked; it is taken for granted";
     Finding::new(Code::Assumed, Verdict::Assumed, span, message)
 }
 
@@ -267,10 +267,7 @@ fn finding_as_it_counts(finding: Finding) -> Finding {
             Finding::new(Code::Holds, Verdict::Verified, finding.span, message)
         }
         Verdict::Undecided if is_untested => {
-            let message = match finding.message.split_once([';', ',']) {
-                Some((what, _)) => what.to_owned(),
-                None => finding.message.clone(),
-            };
+            let message = finding.defines.map_or(finding.message, |name| format!("defines {name}"));
             Finding::new(Code::Introduced, Verdict::Definition, finding.span, message)
         }
         Verdict::Unreadable if finding.code == Code::NeedsLimitOrSmall => {
