@@ -1,9 +1,12 @@
-//! The value of functions of matrices, of parts of complex numbers, of `cases`, of integrals over a letter, and of powers.
+//! The value of quotients, derivatives by the time, matrices and functions of them, of parts of complex numbers, of `cases`, of integrals over a letter, and of powers.
+
+use nalgebra::DMatrix;
 
 use super::calculus::quadrature;
-use super::environment::{Differentiable, Unavailable};
+use super::environment::{Differentiable, Unavailable, differentiate};
 use super::evaluate::{Evaluated, Evaluator};
 use super::numbers::complex::Complex;
+use super::numbers::matrices;
 use super::tree::{Branch, Definite, Expr, Node, Relation, Sign};
 use super::value::Value;
 
@@ -53,6 +56,64 @@ impl<D: Differentiable> Evaluator<'_, D> {
             Node::Rest(_) => Err(Unavailable::Operation("a sum whose further terms are left out")),
             _ => Err(Unavailable::Operation("this operation")),
         }
+    }
+
+    #[inline(never)]
+    pub(super) fn quotient(&mut self, a: &Expr, b: &Expr) -> Evaluated<Value<D>> {
+        let above = self.value(a)?;
+        Ok(match (self.value(b)?, above) {
+            (Value::Scalar(divisor), above) => above.map(|x| x / divisor),
+            (Value::Complex(divisor), Value::Scalar(above)) => Value::Complex(Complex::real(above).over(divisor)),
+            (Value::Complex(divisor), Value::Complex(above)) => Value::Complex(above.over(divisor)),
+            _ => return Err(Unavailable::Operation("a quotient of these shapes")),
+        })
+    }
+
+    #[inline(never)]
+    pub(super) fn time_derivative(&mut self, order: u8, inner: &Expr) -> Evaluated<Value<D>> {
+        if let Some(derivative) = self.environment.derivative(order, inner, &self.indices) {
+            return derivative;
+        }
+        let terms = self.terms;
+        self.terms = terms.saturating_add(usize::from(order));
+        let value = self.value(inner);
+        self.terms = terms;
+        let mut value = value?;
+        differentiate(&mut value, order)?;
+        Ok(value)
+    }
+
+    /// A matrix, its transpose, its inverse, or one of its entries.
+    #[inline(never)]
+    pub(super) fn of_matrices(&mut self, expr: &Expr) -> Evaluated<Value<D>> {
+        Ok(match &expr.node {
+            Node::Matrix(rows) => {
+                let mut entries = Vec::with_capacity(rows.iter().map(Vec::len).sum());
+                for entry in rows.iter().flatten() {
+                    entries.push(self.scalar(entry)?);
+                }
+                Value::of_matrix(DMatrix::from_row_slice(rows.len(), entries.len() / rows.len().max(1), &entries))
+            }
+            Node::Transpose(inner) => match self.value(inner)?.as_matrix() {
+                Some(m) => Value::of_matrix(m.transpose()),
+                _ => return Err(Unavailable::Operation("the transpose of something that is not a matrix")),
+            },
+            Node::Inverse(inner) => match self.value(inner)? {
+                Value::Matrix(m) => Value::Matrix(
+                    matrices::inverse(&m).ok_or(Unavailable::Operation("the inverse of a matrix of this size"))?,
+                ),
+                _ => return Err(Unavailable::Operation("the inverse of something that is not a matrix")),
+            },
+            Node::Entry(inner, row, column) => match (self.value(inner)?, self.index(*row)?, self.index(*column)?) {
+                (Value::Matrix(m), i, j)
+                    if usize::from(i.max(1)) <= m.nrows() && usize::from(j.max(1)) <= m.ncols() =>
+                {
+                    Value::Scalar(m[(usize::from(i) - 1, usize::from(j) - 1)])
+                }
+                _ => return Err(Unavailable::Operation("an entry of something that is not a matrix")),
+            },
+            _ => return Err(Unavailable::Operation("this operation")),
+        })
     }
 
     /// An integral over one letter, by quadrature.
