@@ -165,9 +165,7 @@ impl Correction<'_> {
         }
         // An equation of which one side is 0 is solved for a symbol that nothing determines: it is no slip for another one.
         let is_open = |id: &&SymbolId| !matches!(model.meaning(**id), Some(Meaning::Defined(_)));
-        if is_zero
-            && before.iter().filter(is_open).any(|id| count(&after, *id) < count(&before, *id))
-            && !new.is_empty()
+        if is_zero && before.iter().filter(is_open).any(|id| count(after, *id) < count(before, *id)) && !new.is_empty()
         {
             return true;
         }
