@@ -109,7 +109,7 @@ impl Formula {
     pub fn value(&self, values: &[(&str, f64)]) -> Result<f64> {
         match self.entries(values)?.as_slice() {
             [value] => Ok(*value),
-            _ => Err(Error::new("the formula is no number but a vector or a matrix").help("evaluate one component")),
+            _ => Err(Error::new("the formula is a vector or a matrix, not a number").help("evaluate one component")),
         }
     }
 

@@ -184,7 +184,7 @@ fn equation(checker: &Checker<'_>, macros: &Macros, at: usize, display: &Display
             }
             Err(_) => {
                 ok = reads_alike(&reading, &original());
-                if ok { String::new() } else { "; but this print reads otherwise here".to_owned() }
+                if ok { String::new() } else { "; but this print has another text here".to_owned() }
             }
         };
         because = Some(format!("a known erratum: {}{verdict}", edits.join(", ")));

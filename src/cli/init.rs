@@ -72,7 +72,7 @@ enum Named {
 /// The notes that a path names. In a folder, those that have claims already are left as they are.
 fn notes_of(path: &Path, overwrite: bool) -> Result<Vec<Result<Named>>> {
     if path.extension().is_some_and(|extension| extension == "json") {
-        return Err(Error::new(format!("{} is no notes file", path.display()))
+        return Err(Error::new(format!("{} is not a file of notes", path.display()))
             .help("name the notes; their claims file gets the same name with .json"));
     }
     let named = |job| match job {

@@ -133,7 +133,9 @@ fn hand_ins(path: &Path, own: &Path) -> Result<Vec<PathBuf>> {
         }
         return match crate::notes::document::Kind::of(path) {
             Some(_) => Ok(vec![path.to_owned()]),
-            None => Err(Error::new(format!("{} is no hand-in", path.display())).help("a hand-in is .md, .tex or .txt")),
+            None => {
+                Err(Error::new(format!("{} is not a hand-in", path.display())).help("a hand-in is .md, .tex or .txt"))
+            }
         };
     }
     let failed =

@@ -62,17 +62,17 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     let vectors = named(&symbols, &|kind| kind == Kind::Vector);
     let abstract_names = named(&symbols, &|kind| kind == Kind::Abstract);
     for (what, names) in [
-        ("vectors, or matrices, by their markup", vectors),
-        ("matrices by their use", matrices),
+        ("vectors or matrices, because of their markup", vectors),
+        ("matrices, because of their use", matrices),
         ("complex numbers", complex),
-        ("read as printed, without a value", abstract_names),
+        ("names without a value, read as printed", abstract_names),
     ] {
         if !names.is_empty() {
             inferred.push(format!("{what}: {}", names.join(", ")));
         }
     }
     if symbols.is_abstract() {
-        inferred.push("parts of it have no value; it is read for its structure".to_owned());
+        inferred.push("some parts have no value here, so only the structure of the formula was read".to_owned());
     }
     if !errors.is_empty() {
         inferred.clear();

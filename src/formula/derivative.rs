@@ -245,7 +245,7 @@ impl Differentiator<'_> {
             }
             Node::Apply(..) => return Err(NoDerivative::Operation("a rotation")),
             Node::Inverse(_) => return Err(NoDerivative::Operation("the inverse of a matrix")),
-            Node::Rest(_) => return Err(NoDerivative::Operation("a sum of which terms are left out")),
+            Node::Rest(_) => return Err(NoDerivative::Operation("a sum whose further terms are left out")),
             Node::Definite(of) => self.of_integral(of, expr, depth)?,
             Node::Integral(..) | Node::Shrinking(..) | Node::SumOver { .. } => {
                 return Err(NoDerivative::Operation("an integral or a sum over particles"));

@@ -85,7 +85,7 @@ pub(super) struct Evaluator<'a, D> {
     /// The letters of the integrals around a formula, with their values.
     pub(super) letters: Vec<(String, D)>,
     /// The number of terms of the result that are used.
-    terms: usize,
+    pub(super) terms: usize,
 }
 
 pub(super) type Evaluated<T> = Result<T, Unavailable>;
@@ -100,17 +100,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
             Node::Symbol { id, indices, dots } => return self.symbol(*id, indices, *dots),
             Node::Sum(terms) => return self.sum(terms),
             Node::Product(factors) => return self.product(factors),
-            Node::Quotient(a, b) => {
-                let above = self.value(a)?;
-                match (self.value(b)?, above) {
-                    (Value::Scalar(divisor), above) => above.map(|x| x / divisor),
-                    (Value::Complex(divisor), Value::Scalar(above)) => {
-                        Value::Complex(Complex::real(above).over(divisor))
-                    }
-                    (Value::Complex(divisor), Value::Complex(above)) => Value::Complex(above.over(divisor)),
-                    _ => return Err(Unavailable::Operation("a quotient of these shapes")),
-                }
-            }
+            Node::Quotient(a, b) => return self.quotient(a, b),
             Node::Power(base, exponent) => return self.power(base, exponent),
             Node::Identity => Value::Scalar(D::one()),
             Node::Imaginary => Value::Complex(Complex::i()),
@@ -147,18 +137,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 }
                 _ => return Err(Unavailable::Operation("a function of several arguments")),
             },
-            Node::TimeDerivative(order, inner) => {
-                if let Some(derivative) = self.environment.derivative(*order, inner, &self.indices) {
-                    return derivative;
-                }
-                let terms = self.terms;
-                self.terms = terms.saturating_add(usize::from(*order));
-                let value = self.value(inner);
-                self.terms = terms;
-                let mut value = value?;
-                differentiate(&mut value, *order)?;
-                value
-            }
+            Node::TimeDerivative(order, inner) => return self.time_derivative(*order, inner),
             Node::Norm(inner) => Value::Scalar(self.norm(inner, true)?),
             Node::Cross(a, b) => {
                 let (a, b) = (self.vector(a)?, self.vector(b)?);
@@ -168,31 +147,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 let (a, b) = (self.vector(a)?, self.vector(b)?);
                 Value::Scalar(dot(&a, &b))
             }
-            Node::Matrix(rows) => {
-                let mut entries = Vec::with_capacity(rows.iter().map(Vec::len).sum());
-                for entry in rows.iter().flatten() {
-                    entries.push(self.scalar(entry)?);
-                }
-                Value::of_matrix(DMatrix::from_row_slice(rows.len(), entries.len() / rows.len().max(1), &entries))
-            }
-            Node::Transpose(inner) => match self.value(inner)?.as_matrix() {
-                Some(m) => Value::of_matrix(m.transpose()),
-                _ => return Err(Unavailable::Operation("the transpose of something that is no matrix")),
-            },
-            Node::Inverse(inner) => match self.value(inner)? {
-                Value::Matrix(m) => {
-                    Value::Matrix(matrices::inverse(&m).ok_or(Unavailable::Operation("the inverse of this matrix"))?)
-                }
-                _ => return Err(Unavailable::Operation("the inverse of something that is no matrix")),
-            },
-            Node::Entry(inner, row, column) => match (self.value(inner)?, self.index(*row)?, self.index(*column)?) {
-                (Value::Matrix(m), i, j)
-                    if usize::from(i.max(1)) <= m.nrows() && usize::from(j.max(1)) <= m.ncols() =>
-                {
-                    Value::Scalar(m[(usize::from(i) - 1, usize::from(j) - 1)])
-                }
-                _ => return Err(Unavailable::Operation("an entry of something that is no matrix")),
-            },
+            Node::Matrix(_) | Node::Transpose(_) | Node::Inverse(_) | Node::Entry(..) => return self.of_matrices(expr),
             Node::Epsilon([a, b, c]) => {
                 let [a, b, c] = [self.index(*a)?, self.index(*b)?, self.index(*c)?].map(i32::from);
                 Value::Scalar(constant(f64::from((a - b) * (b - c) * (c - a)) / 2.0))
@@ -302,11 +257,11 @@ impl<D: Differentiable> Evaluator<'_, D> {
     fn vector(&mut self, expr: &Expr) -> Evaluated<Vector3<D>> {
         match self.value(expr)? {
             Value::Vector(value) => Ok(value),
-            _ => Err(Unavailable::Operation("a vector where there is none")),
+            _ => Err(Unavailable::Operation("a vector where a number is needed")),
         }
     }
 
-    fn index(&self, index: Index) -> Evaluated<u8> {
+    pub(super) fn index(&self, index: Index) -> Evaluated<u8> {
         value_of(index, &self.indices)
     }
 
@@ -404,7 +359,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 }
                 (Value::Matrix(m), Some(n)) if n.is_whole() && (1..=64).contains(&n.numerator) => {
                     let power = matrices::power(&m, n.numerator as u32);
-                    return power.map(Value::Matrix).ok_or(Unavailable::Operation("a power of this matrix"));
+                    return power.map(Value::Matrix).ok_or(Unavailable::Operation("this power of a matrix"));
                 }
                 _ => return Err(Unavailable::Operation("this power")),
             },

@@ -1,11 +1,142 @@
-//! The shapes of sums, products, powers, functions of matrices, parts of complex numbers and `cases`.
+//! The shapes of symbols, sums, products, powers, functions of matrices, parts of complex numbers and `cases`.
 
 use crate::source::{Fault, Span};
 
-use super::shape::{Binder, Shape, Type, union};
-use super::tree::{Branch, ComplexPart, Expr, Node, Sign};
+use super::ids::SymbolId;
+use super::numbers::complex::Complex;
+use super::shape::{Binder, Shape, Type, components, union};
+use super::symbols::{Kind, Operator};
+use super::tree::{Branch, ComplexPart, Expr, Function, IndexId, Node, Sign, Term};
 
 impl Binder<'_> {
+    /// The shape of a symbol with a number of indices.
+    pub(super) fn symbol_shape(&self, id: SymbolId, given: usize, span: Span) -> Result<Shape, Fault> {
+        let entry = self.symbols.entry(id);
+        let extents = self.symbols.extents(id);
+        let shape = match (entry.kind, entry.slots.len(), given) {
+            (Kind::Scalar, slots, given) if slots == given => Shape::Scalar,
+            (Kind::Scalar, 1, 0) if extents == [3] && !self.is_label(entry.slots[0].1) => Shape::Vector,
+            (Kind::Scalar, 2, 0) if !entry.slots.iter().any(|(_, letter)| self.is_label(*letter)) => {
+                Shape::Matrix(extents[0].into(), extents[1].into())
+            }
+            (Kind::Vector, slots, given) if slots == given => Shape::Vector,
+            (Kind::Complex, slots, given) if slots == given => Shape::Complex,
+            (Kind::Abstract, ..) => Shape::Abstract,
+            (Kind::Matrix(rows, columns), slots, given) if slots == given => of_size(rows.into(), columns.into()),
+            (Kind::Rotation, ..) => {
+                return Err(Fault::new(span, format!("{} needs its angle in parentheses", entry.name)));
+            }
+            _ => return Err(Fault::index(span, format!("{} needs its indices", entry.name))),
+        };
+        Ok(shape)
+    }
+
+    /// The type of a sum: its terms have one shape and the same free indices.
+    pub(super) fn sum(&mut self, terms: &mut [Term]) -> Result<Type, Fault> {
+        let mut first: Option<Type> = None;
+        for term in terms {
+            let found = self.bind(&mut term.expr)?;
+            match &first {
+                _ if term.expr.is_zero() => {}
+                None => first = Some(found),
+                Some(first) if of_sum(first.shape, found.shape).is_none() => {
+                    let (a, b) = (found.shape.noun(), first.shape.noun());
+                    return Err(Fault::shape(term.expr.span, format!("{a} cannot be added to {b}")));
+                }
+                Some(first) if components(&first.free, self.symbols) != components(&found.free, self.symbols) => {
+                    return Err(Fault::index(
+                        term.expr.span,
+                        "this term has other free indices than the terms before it",
+                    ));
+                }
+                Some(known) => {
+                    let shape = of_sum(known.shape, found.shape).unwrap_or(known.shape);
+                    first = Some(Type { free: union(&known.free, &found.free), shape });
+                }
+            }
+        }
+        Ok(first.unwrap_or(Type { shape: Shape::Scalar, free: Vec::new() }))
+    }
+
+    /// The shape of a product, and the letters of all its factors.
+    pub(super) fn product(&mut self, factors: &mut [Expr]) -> Result<(Shape, Vec<IndexId>), Fault> {
+        let mut shape = Shape::Scalar;
+        let mut letters = Vec::new();
+        for factor in factors {
+            let found = self.bind(factor)?;
+            let has_complex = [shape, found.shape].contains(&Shape::Complex);
+            shape = of_product(shape, found.shape).ok_or_else(|| {
+                if has_complex {
+                    return self.no_complex(factor.span);
+                }
+                Fault::shape(factor.span, format!("{} cannot be multiplied by {}", shape.noun(), found.shape.noun()))
+                    .help("multiply two vectors with \\cdot or \\times")
+            })?;
+            letters.extend(found.free);
+        }
+        Ok((shape, letters))
+    }
+
+    /// The type of a function of a number.
+    pub(super) fn call(&mut self, function: Function, a: &mut Expr, span: Span) -> Result<Type, Fault> {
+        let what = format!("the argument of \\{}", function.name());
+        let found = self.number(a, &what)?;
+        match found.shape == Shape::Complex && !Complex::<f64>::knows(function) {
+            true => Err(Fault::unsupported(
+                span,
+                format!("\\{} of a complex number has several values, and is not supported", function.name()),
+            )),
+            false => Ok(found),
+        }
+    }
+
+    /// The type of an operator, or of a function without a formula, with its arguments.
+    pub(super) fn applied(&mut self, id: SymbolId, arguments: &mut [Expr]) -> Result<Type, Fault> {
+        let entry = self.symbols.entry(id);
+        let (kind, operator) = (entry.kind, entry.operator);
+        let (mut free, mut last) = (Vec::new(), Shape::Scalar);
+        for argument in arguments {
+            let found = self.bind(argument)?;
+            free = union(&free, &found.free);
+            last = found.shape;
+        }
+        let shape = match (operator, kind) {
+            (Some(Operator::Same), _) => last,
+            (Some(Operator::Template), _) | (_, Kind::Abstract) => Shape::Abstract,
+            (Some(Operator::ToVector), _) | (Some(Operator::Function), Kind::Vector) => Shape::Vector,
+            _ => Shape::Scalar,
+        };
+        Ok(Type { shape, free })
+    }
+
+    /// The letters of two factors that must be vectors.
+    pub(super) fn two_vectors(&mut self, a: &mut Expr, b: &mut Expr) -> Result<Vec<IndexId>, Fault> {
+        let (left, right) = (self.bind(a)?, self.bind(b)?);
+        for (side, found) in [(&*a, &left), (&*b, &right)] {
+            if found.shape != Shape::Vector {
+                let message = format!("this must be a vector, but it is {}", found.shape.noun());
+                return Err(Fault::shape(side.span, message));
+            }
+        }
+        Ok(left.free.into_iter().chain(right.free).collect())
+    }
+
+    /// The type of a matrix that is written out.
+    pub(super) fn matrix(&mut self, rows: &mut [Vec<Expr>], span: Span) -> Result<Type, Fault> {
+        let columns = rows.first().map_or(0, Vec::len);
+        let count = rows.len();
+        let mut free = Vec::new();
+        for row in rows {
+            if row.len() != columns {
+                return Err(Fault::shape(span, "the rows of this matrix have different lengths"));
+            }
+            for entry in row {
+                free = union(&free, &self.scalar(entry, "an entry of a matrix")?);
+            }
+        }
+        Ok(Type { shape: of_size(count, columns), free })
+    }
+
     /// The type of a power, of a function of a matrix, of a part of a complex number, or of cases.
     pub(super) fn operator(&mut self, expr: &mut Expr) -> Result<Type, Fault> {
         let span = expr.span;

@@ -17,9 +17,8 @@
 
 use crate::source::{Fault, Span};
 
-use super::numbers::complex::Complex;
-pub use super::operator_shapes::{of_product, of_size, of_sum};
-use super::symbols::{Kind, Operator, Symbols};
+pub use super::operator_shapes::{of_product, of_sum};
+use super::symbols::Symbols;
 use super::tree::{Expr, Index, IndexId, Node};
 
 /// The shape of a formula's value, for each value of its free indices.
@@ -146,7 +145,7 @@ pub fn entries_of(matrix: (&Expr, &Type), other: (&Expr, &Type), symbols: &Symbo
 }
 
 pub(super) struct Binder<'a> {
-    symbols: &'a Symbols,
+    pub(super) symbols: &'a Symbols,
     /// The indices of the enclosing Σ.
     summed: Vec<IndexId>,
 }
@@ -197,25 +196,7 @@ impl Binder<'_> {
             Node::Identity => Ok(Type { shape: Shape::Matrix(0, 0), ..scalar }),
             Node::Imaginary => Ok(Type { shape: Shape::Complex, ..scalar }),
             Node::Symbol { id, indices, .. } => {
-                let entry = self.symbols.entry(*id);
-                let extents = self.symbols.extents(*id);
-                let shape = match (entry.kind, entry.slots.len(), indices.len()) {
-                    (Kind::Scalar, slots, given) if slots == given => Shape::Scalar,
-                    (Kind::Scalar, 1, 0) if extents == [3] && !self.is_label(entry.slots[0].1) => Shape::Vector,
-                    (Kind::Scalar, 2, 0) if !entry.slots.iter().any(|(_, letter)| self.is_label(*letter)) => {
-                        Shape::Matrix(extents[0].into(), extents[1].into())
-                    }
-                    (Kind::Vector, slots, given) if slots == given => Shape::Vector,
-                    (Kind::Complex, slots, given) if slots == given => Shape::Complex,
-                    (Kind::Abstract, ..) => Shape::Abstract,
-                    (Kind::Matrix(rows, columns), slots, given) if slots == given => {
-                        of_size(rows.into(), columns.into())
-                    }
-                    (Kind::Rotation, ..) => {
-                        return Err(Fault::new(span, format!("{} needs its angle in parentheses", entry.name)));
-                    }
-                    _ => return Err(Fault::index(span, format!("{} needs its indices", entry.name))),
-                };
+                let shape = self.symbol_shape(*id, indices.len(), span)?;
                 let letters = self.letters(indices);
                 let free = self.contract(letters, expr)?;
                 Ok(Type { shape, free })
@@ -230,51 +211,9 @@ impl Binder<'_> {
                 let free = self.contract(letters, expr)?;
                 Ok(Type { free, ..scalar })
             }
-            Node::Sum(terms) => {
-                let mut first: Option<Type> = None;
-                for term in terms {
-                    let found = self.bind(&mut term.expr)?;
-                    match &first {
-                        _ if term.expr.is_zero() => {}
-                        None => first = Some(found),
-                        Some(first) if of_sum(first.shape, found.shape).is_none() => {
-                            let (a, b) = (found.shape.noun(), first.shape.noun());
-                            return Err(Fault::shape(term.expr.span, format!("{a} cannot be added to {b}")));
-                        }
-                        Some(first)
-                            if components(&first.free, self.symbols) != components(&found.free, self.symbols) =>
-                        {
-                            return Err(Fault::index(
-                                term.expr.span,
-                                "this term has other free indices than the terms before it",
-                            ));
-                        }
-                        Some(known) => {
-                            let shape = of_sum(known.shape, found.shape).unwrap_or(known.shape);
-                            first = Some(Type { free: union(&known.free, &found.free), shape });
-                        }
-                    }
-                }
-                Ok(first.unwrap_or(scalar))
-            }
+            Node::Sum(terms) => self.sum(terms),
             Node::Product(factors) => {
-                let mut shape = Shape::Scalar;
-                let mut letters = Vec::new();
-                for factor in factors {
-                    let found = self.bind(factor)?;
-                    let has_complex = [shape, found.shape].contains(&Shape::Complex);
-                    shape = of_product(shape, found.shape).ok_or_else(|| {
-                        if has_complex {
-                            return self.no_complex(factor.span);
-                        }
-                        Fault::shape(
-                            factor.span,
-                            format!("{} cannot be multiplied by {}", shape.noun(), found.shape.noun()),
-                        )
-                        .help("multiply two vectors with \\cdot or \\times")
-                    })?;
-                    letters.extend(found.free);
-                }
+                let (shape, letters) = self.product(factors)?;
                 let free = self.contract(letters, expr)?;
                 Ok(Type { shape, free })
             }
@@ -292,34 +231,8 @@ impl Binder<'_> {
             | Node::Complex(..)
             | Node::Cases(_) => self.operator(expr),
             Node::Root(_, a) => self.scalar(a, "the radicand").map(|free| Type { free, ..scalar }),
-            Node::Call(function, a) => {
-                let what = format!("the argument of \\{}", function.name());
-                let found = self.number(a, &what)?;
-                match found.shape == Shape::Complex && !Complex::<f64>::knows(*function) {
-                    true => Err(Fault::unsupported(
-                        span,
-                        format!("\\{} of a complex number has several values, and is not supported", function.name()),
-                    )),
-                    false => Ok(found),
-                }
-            }
-            Node::Apply(id, arguments) if self.symbols.entry(*id).operator.is_some() => {
-                let entry = self.symbols.entry(*id);
-                let (kind, operator) = (entry.kind, entry.operator);
-                let (mut free, mut last) = (Vec::new(), Shape::Scalar);
-                for argument in arguments {
-                    let found = self.bind(argument)?;
-                    free = union(&free, &found.free);
-                    last = found.shape;
-                }
-                let shape = match (operator, kind) {
-                    (Some(Operator::Same), _) => last,
-                    (Some(Operator::Template), _) | (_, Kind::Abstract) => Shape::Abstract,
-                    (Some(Operator::ToVector), _) | (Some(Operator::Function), Kind::Vector) => Shape::Vector,
-                    _ => Shape::Scalar,
-                };
-                Ok(Type { shape, free })
-            }
+            Node::Call(function, a) => self.call(*function, a, span),
+            Node::Apply(id, arguments) if self.symbols.entry(*id).operator.is_some() => self.applied(*id, arguments),
             Node::Apply(_, arguments) => {
                 let mut free = Vec::new();
                 for argument in arguments {
@@ -336,32 +249,12 @@ impl Binder<'_> {
                 }
             }
             Node::Cross(a, b) | Node::Dot(a, b) => {
-                let (left, right) = (self.bind(a)?, self.bind(b)?);
-                for (side, found) in [(&*a, &left), (&*b, &right)] {
-                    if found.shape != Shape::Vector {
-                        let message = format!("this must be a vector, but it is {}", found.shape.noun());
-                        return Err(Fault::shape(side.span, message));
-                    }
-                }
+                let letters = self.two_vectors(a, b)?;
                 let is_cross = matches!(expr.node, Node::Cross(..));
-                let letters = left.free.into_iter().chain(right.free).collect();
                 let free = self.contract(letters, expr)?;
                 Ok(Type { shape: if is_cross { Shape::Vector } else { Shape::Scalar }, free })
             }
-            Node::Matrix(rows) => {
-                let columns = rows.first().map_or(0, Vec::len);
-                let count = rows.len();
-                let mut free = Vec::new();
-                for row in rows {
-                    if row.len() != columns {
-                        return Err(Fault::shape(span, "the rows of this matrix have different lengths"));
-                    }
-                    for entry in row {
-                        free = union(&free, &self.scalar(entry, "an entry of a matrix")?);
-                    }
-                }
-                Ok(Type { shape: of_size(count, columns), free })
-            }
+            Node::Matrix(rows) => self.matrix(rows, span),
             Node::Integral(_, a) | Node::Shrinking(_, a) => self.bind(a),
             Node::Letter(_) | Node::Rest(_) => Ok(scalar),
             Node::Definite(of) => {
@@ -391,26 +284,27 @@ impl Binder<'_> {
                 let free = self.contract(letters, expr)?;
                 Ok(Type { free, ..scalar })
             }
-            Node::SumOver { index, implied, body, except, .. } => {
-                if *implied {
-                    // Made here before: binding a bound formula again changes nothing.
-                    self.summed.push(*index);
-                    let found = self.bind(body);
-                    self.summed.pop();
-                    return found;
-                }
+            // Made here before: binding a bound formula again changes nothing.
+            Node::SumOver { index, implied: true, body, .. } => self.summed_over(*index, body),
+            Node::SumOver { index, body, except, .. } => {
                 if self.summed.contains(index) {
                     return Err(Fault::index(span, "this index is already summed over"));
                 }
                 // What bounds the sum is as free as what stands in it.
                 let bounds: Vec<Index> = except.iter().filter_map(|left_out| left_out.index()).collect();
                 let bounds = self.letters(&bounds);
-                self.summed.push(*index);
-                let found = self.bind(body);
-                self.summed.pop();
-                found.map(|found| Type { free: union(&found.free, &bounds), ..found })
+                let found = self.summed_over(*index, body)?;
+                Ok(Type { free: union(&found.free, &bounds), ..found })
             }
         }
+    }
+
+    /// The type of the body of a sum over an index.
+    fn summed_over(&mut self, index: IndexId, body: &mut Expr) -> Result<Type, Fault> {
+        self.summed.push(index);
+        let found = self.bind(body);
+        self.summed.pop();
+        found
     }
 
     /// Whether a letter is a label of particles, which is never summed over by repetition.
@@ -446,7 +340,7 @@ impl Binder<'_> {
 }
 
 /// The component indices among these, without labels.
-fn components(free: &[IndexId], symbols: &Symbols) -> Vec<IndexId> {
+pub(super) fn components(free: &[IndexId], symbols: &Symbols) -> Vec<IndexId> {
     free.iter().copied().filter(|letter| !symbols.indices[letter.0].labels).collect()
 }
 

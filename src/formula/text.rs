@@ -6,7 +6,7 @@ pub use super::glyphs::{plain, with_dots};
 use super::ids::SymbolId;
 use super::operators::Operator;
 use super::symbols::Symbols;
-use super::tree::{Branch, Condition, Excluded, Expr, Index, Node, Sign, Statement};
+use super::tree::{Branch, Condition, Excluded, Expr, Index, Node, Sign, Statement, Term};
 
 /// A statement as text.
 pub fn statement(statement: &Statement, symbols: &Symbols) -> String {
@@ -91,44 +91,9 @@ impl Writer<'_> {
             Node::Pi => "π".into(),
             Node::Euler => "e".into(),
             Node::Unit(unit) => unit.symbol(),
-            Node::Symbol { id, indices, dots } => {
-                let entry = self.symbols.entry(*id);
-                let mut name = entry.name.clone();
-                if indices.is_empty() && !entry.slots.is_empty() {
-                    name.subscript.clear();
-                } else {
-                    for ((at, _), index) in entry.slots.iter().zip(indices) {
-                        name.subscript[*at] = self.index(*index);
-                    }
-                }
-                with_dots(&name.to_string(), *dots) + if entry.squared { "^2" } else { "" }
-            }
-            Node::Sum(terms) => {
-                let mut text = String::new();
-                for (at, term) in terms.iter().enumerate() {
-                    text.push_str(match (term.sign, at) {
-                        (Sign::Plus, 0) => "",
-                        (Sign::Minus, 0) => "−",
-                        (Sign::Plus, _) => " + ",
-                        (Sign::Minus, _) => " − ",
-                    });
-                    text.push_str(&self.write(&term.expr, 1));
-                }
-                text
-            }
-            Node::Product(factors) => {
-                let mut text = String::new();
-                for (at, factor) in factors.iter().enumerate() {
-                    // `45°`
-                    let is_sign = matches!(&factor.node, Node::Unit(unit) if unit.is_sign());
-                    if at > 0 && !is_sign {
-                        text.push('·');
-                    }
-                    let ends_with_units = at + 1 == factors.len() && is_quotient_of_units(factor);
-                    text.push_str(&self.write(factor, if ends_with_units { 1 } else { 2 }));
-                }
-                text
-            }
+            Node::Symbol { id, indices, dots } => self.symbol(*id, indices, *dots),
+            Node::Sum(terms) => self.sum(terms),
+            Node::Product(factors) => self.product(factors),
             Node::Quotient(a, b) => format!("{}/{}", self.write(a, 2), self.write(b, 2)),
             Node::Power(base, exponent) => {
                 let base = self.write(base, 3);
@@ -140,17 +105,7 @@ impl Writer<'_> {
             Node::Root(2, a) => format!("√({})", self.bare(a)),
             Node::Root(n, a) => format!("root[{n}]({})", self.bare(a)),
             Node::Call(function, a) => format!("{}({})", function.name(), self.bare(a)),
-            Node::Apply(id, given) => {
-                let arguments: Vec<String> = given.iter().map(|a| self.bare(a)).collect();
-                let entry = self.symbols.entry(*id);
-                let name = plain(&entry.name.to_string().replace(APPLICATION, ""));
-                match (arguments.as_slice(), entry.operator) {
-                    (_, Some(Operator::Template)) => self.template(&entry.name.base, given),
-                    ([], Some(_)) => name,
-                    ([inner], Some(_)) if name.starts_with('|') => format!("({inner}){name}"),
-                    _ => format!("{name}({})", arguments.join(", ")),
-                }
-            }
+            Node::Apply(id, given) => self.applied(*id, given),
             Node::TimeDerivative(1, a) => format!("d/dt({})", self.bare(a)),
             Node::TimeDerivative(n, a) => format!("d^{n}/dt^{n}({})", self.bare(a)),
             Node::Norm(a) => format!("|{}|", self.bare(a)),
@@ -204,6 +159,60 @@ impl Writer<'_> {
                 let (lower, upper) = (end(&of.lower, "−∞"), end(&of.upper, "∞"));
                 format!("∫_{lower}^{upper} {} d{letter}", self.write(&of.integrand, 1))
             }
+        }
+    }
+
+    fn symbol(&self, id: SymbolId, indices: &[Index], dots: u8) -> String {
+        let entry = self.symbols.entry(id);
+        let mut name = entry.name.clone();
+        if indices.is_empty() && !entry.slots.is_empty() {
+            name.subscript.clear();
+        } else {
+            for ((at, _), index) in entry.slots.iter().zip(indices) {
+                name.subscript[*at] = self.index(*index);
+            }
+        }
+        with_dots(&name.to_string(), dots) + if entry.squared { "^2" } else { "" }
+    }
+
+    fn sum(&self, terms: &[Term]) -> String {
+        let mut text = String::new();
+        for (at, term) in terms.iter().enumerate() {
+            text.push_str(match (term.sign, at) {
+                (Sign::Plus, 0) => "",
+                (Sign::Minus, 0) => "−",
+                (Sign::Plus, _) => " + ",
+                (Sign::Minus, _) => " − ",
+            });
+            text.push_str(&self.write(&term.expr, 1));
+        }
+        text
+    }
+
+    fn product(&self, factors: &[Expr]) -> String {
+        let mut text = String::new();
+        for (at, factor) in factors.iter().enumerate() {
+            // `45°`
+            let is_sign = matches!(&factor.node, Node::Unit(unit) if unit.is_sign());
+            if at > 0 && !is_sign {
+                text.push('·');
+            }
+            let ends_with_units = at + 1 == factors.len() && is_quotient_of_units(factor);
+            text.push_str(&self.write(factor, if ends_with_units { 1 } else { 2 }));
+        }
+        text
+    }
+
+    /// A function or an operator with its arguments.
+    fn applied(&self, id: SymbolId, given: &[Expr]) -> String {
+        let arguments: Vec<String> = given.iter().map(|a| self.bare(a)).collect();
+        let entry = self.symbols.entry(id);
+        let name = plain(&entry.name.to_string().replace(APPLICATION, ""));
+        match (arguments.as_slice(), entry.operator) {
+            (_, Some(Operator::Template)) => self.template(&entry.name.base, given),
+            ([], Some(_)) => name,
+            ([inner], Some(_)) if name.starts_with('|') => format!("({inner}){name}"),
+            _ => format!("{name}({})", arguments.join(", ")),
         }
     }
 

@@ -39,7 +39,7 @@ pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
     {
         if symbols.inferred.letters.insert(name.clone()) {
             let shown = text::plain(&Name { primes: 1, ..name }.to_string());
-            symbols.inferred.said.push(format!("{shown} is a quantity of its own, and no derivative"));
+            symbols.inferred.said.push(format!("{shown} is another quantity, not a derivative"));
         }
     }
     functions.retain(|(name, _)| symbols.find(name).is_none());

@@ -6,7 +6,7 @@
 
 use crate::formula::shape::{self, Shape, Type};
 use crate::formula::symbols::{Kind, Name, SymbolId, Symbols};
-use crate::formula::tree::{Expr, IndexId, Relation, Sign, Statement};
+use crate::formula::tree::{Condition, Expr, IndexId, Relation, Sign, Statement};
 use crate::formula::units::in_si::has_units;
 use crate::source::{Fault, Span};
 
@@ -148,15 +148,7 @@ impl Piece<'_> {
             return Err(fault.clone());
         }
         if self.has_alternatives {
-            let items: Vec<Item> = self.links.iter().flat_map(|link| &link.items).map(|item| (*item).clone()).collect();
-            let expr = Reader::new(symbols, branch).alternatives(&items, span)?;
-            let (relations, conditions) = (Vec::new(), Vec::new());
-            let members = vec![shape::bind(expr, symbols)?.0];
-            let constant = self.constant;
-            return Ok((
-                Statement { members, relations, conditions, constant, branch, row: self.row, span },
-                Vec::new(),
-            ));
+            return Ok((self.alternatives(symbols, branch)?, Vec::new()));
         }
         let links: Vec<(Printed, Vec<Item>)> = self
             .links
@@ -170,22 +162,12 @@ impl Piece<'_> {
                 relation.0 = Relation::Approximately;
             }
         }
+        // Whether a member stands behind a sign that may define one of its sides.
         let defines = |at: usize| {
             let before = at.checked_sub(1).and_then(|before| relations.get(before));
             matches!(before, Some((Relation::Equal | Relation::Identical, _)))
         };
-        let mut conditions = Vec::new();
-        for condition in &self.conditions {
-            let items: Vec<Item> = condition.iter().map(|item| (*item).clone()).collect();
-            let read = Reader::new(symbols, branch).condition(&items, span).and_then(|stated| stated.all(span));
-            match read {
-                Ok(found) => conditions.extend(found),
-                Err(_) if symbols.is_abstract() => {
-                    conditions.push(Reader::new(symbols, branch).unread_condition(&items, span))
-                }
-                Err(fault) => return Err(fault),
-            }
-        }
+        let conditions = self.read_conditions(symbols, branch)?;
         let mut unknown: Vec<Option<Unknown>> = Vec::with_capacity(links.len());
         let mut read: Vec<Option<(Expr, Type)>> = Vec::with_capacity(links.len());
         for (at, (relation, items)) in links.iter().enumerate() {
@@ -203,87 +185,150 @@ impl Piece<'_> {
                 Some(_) => None,
                 None => {
                     let place = relation.map_or(span, |(_, span)| span);
-                    let mut reader = Reader::new(symbols, branch);
-                    let expr = match items.is_empty() && relation.is_none() == (at == 0) && reader.symbols.is_abstract()
-                    {
-                        true => reader.not_printed(place),
-                        false => reader.sum(items, place)?,
-                    };
-                    Some(shape::bind(expr, symbols)?)
+                    let is_left_out = items.is_empty() && relation.is_none() == (at == 0);
+                    Some(read_member(items, place, is_left_out, &mut Reader::new(symbols, branch))?)
                 }
             });
             unknown.push(found);
         }
-        let mut news: Vec<(usize, New)> = Vec::new();
-        for at in 0..links.len() {
-            let Some(found) = &unknown[at] else { continue };
-            // The first member is defined by what follows, the others by what stands before them.
-            let source = match at {
-                0 => (1..links.len()).take_while(|next| defines(*next)).find_map(|next| read[next].clone()),
-                _ => read[at - 1].clone(),
-            };
-            let Some((source, of_source)) = source else { return Err(found.undeclared(symbols)) };
-            if !symbols.quantities_define && is_quantity(&source) {
-                return Err(found.undeclared(symbols));
-            }
-            let next = symbols.len() + news.len();
-            let (mut expr, of_member, new) = found.introduce((&source, &of_source), next, symbols)?;
-            // The name may stand twice, `E = T + U = E`: the second is the symbol that the first adds.
-            let known: Vec<&New> = news.iter().map(|(_, new)| new).collect();
-            if let [new] = new.as_slice()
-                && let Some(first) = known.iter().position(|known| known.is_same_symbol(new))
-            {
-                let first = SymbolId(symbols.len() + first);
-                expr.rename(&|id| if id.0 == next { first } else { id });
-            } else if new.iter().any(|new| new.is_taken(&known, symbols)) {
-                return Err(found.undeclared(symbols));
-            } else {
-                news.extend(new.into_iter().map(|new| (at, new)));
-            }
-            read[at] = Some((expr, of_member));
-        }
+        let defining: Vec<bool> = (0..links.len()).map(defines).collect();
+        let news = define_unknown_members(&unknown, &mut read, &defining, symbols)?;
         let (members, types): (Vec<Expr>, Vec<Type>) = read.into_iter().flatten().unzip();
-        for pair in 1..members.len() {
-            let (a, b) = (&members[pair - 1], &members[pair]);
-            let (of_a, of_b) = ((a, &types[pair - 1]), (b, &types[pair]));
-            let matrices = [shape::entries_of(of_a, of_b, symbols), shape::entries_of(of_b, of_a, symbols)];
-            if matrices.iter().all(Option::is_none) {
-                shape::comparable(of_a, of_b, symbols)?;
-            }
-            let (relation, place) = relations[pair - 1];
-            let is_order = matches!(
-                relation,
-                Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual | Relation::NotEqual
-            );
-            let differ = relation == Relation::NotEqual
-                && [a, b]
-                    .into_iter()
-                    .zip([&types[pair - 1], &types[pair]])
-                    .all(|(member, of)| of.shape == Shape::Vector || member.is_zero());
-            if is_order
-                && !differ
-                && !symbols.is_abstract()
-                && (types[pair - 1].shape != Shape::Scalar || types[pair].shape != Shape::Scalar)
-            {
-                let message = format!("“{}” needs a number on both sides", relation.glyph());
-                return Err(Fault::shape(place, message));
-            }
-        }
-        for (place, letters) in members.iter().flat_map(Expr::pair_sums) {
-            let is_free = |letter: &IndexId| {
-                symbols.for_each == Some(*letter) || types.iter().any(|found| found.free.contains(letter))
-            };
-            if let Some(letter) = letters.iter().find(|letter| is_free(letter)) {
-                let letter = &symbols.indices[letter.0].letter;
-                let message = format!("this is a sum over pairs, but {letter} is free in this equation");
-                return Err(Fault::index(place, message).help("write a Σ for each letter that is summed over"));
-            }
-        }
+        compare_members(&members, &types, &relations, symbols)?;
+        reject_free_pair_sums(&members, &types, symbols)?;
         note_complex(&members, &types, symbols);
         let statement =
             Statement { members, relations, conditions, constant: self.constant, branch, row: self.row, span };
         Ok((statement, news))
     }
+
+    /// Alternatives, of which one holds, as a statement with one member.
+    fn alternatives(&self, symbols: &mut Symbols, branch: Option<Sign>) -> Result<Statement, Fault> {
+        let span = self.span();
+        let items: Vec<Item> = self.links.iter().flat_map(|link| &link.items).map(|item| (*item).clone()).collect();
+        let expr = Reader::new(symbols, branch).alternatives(&items, span)?;
+        let (relations, conditions) = (Vec::new(), Vec::new());
+        let members = vec![shape::bind(expr, symbols)?.0];
+        let constant = self.constant;
+        Ok(Statement { members, relations, conditions, constant, branch, row: self.row, span })
+    }
+
+    /// The conditions under which the statement holds.
+    fn read_conditions(&self, symbols: &mut Symbols, branch: Option<Sign>) -> Result<Vec<Condition>, Fault> {
+        let span = self.span();
+        let mut conditions = Vec::new();
+        for condition in &self.conditions {
+            let items: Vec<Item> = condition.iter().map(|item| (*item).clone()).collect();
+            let read = Reader::new(symbols, branch).condition(&items, span).and_then(|stated| stated.all(span));
+            match read {
+                Ok(found) => conditions.extend(found),
+                Err(_) if symbols.is_abstract() => {
+                    conditions.push(Reader::new(symbols, branch).unread_condition(&items, span))
+                }
+                Err(fault) => return Err(fault),
+            }
+        }
+        Ok(conditions)
+    }
+}
+
+/// A member with its type; one that is left out where only the structure is read.
+fn read_member(items: &[Item], place: Span, is_left_out: bool, reader: &mut Reader<'_>) -> Result<(Expr, Type), Fault> {
+    let expr = match is_left_out && reader.symbols.is_abstract() {
+        true => reader.not_printed(place),
+        false => reader.sum(items, place)?,
+    };
+    shape::bind(expr, reader.symbols)
+}
+
+/// Gives the unknown names among the members their formula, and returns the symbols that must be added for that, each with the
+/// position of its member. `defining` says which members stand behind a sign that may define.
+fn define_unknown_members(
+    unknown: &[Option<Unknown>],
+    read: &mut [Option<(Expr, Type)>],
+    defining: &[bool],
+    symbols: &Symbols,
+) -> Result<Vec<(usize, New)>, Fault> {
+    let mut news: Vec<(usize, New)> = Vec::new();
+    for at in 0..unknown.len() {
+        let Some(found) = &unknown[at] else { continue };
+        // The first member is defined by what follows, the others by what stands before them.
+        let source = match at {
+            0 => (1..unknown.len()).take_while(|next| defining[*next]).find_map(|next| read[next].clone()),
+            _ => read[at - 1].clone(),
+        };
+        let Some((source, of_source)) = source else { return Err(found.undeclared(symbols)) };
+        if !symbols.quantities_define && is_quantity(&source) {
+            return Err(found.undeclared(symbols));
+        }
+        let next = symbols.len() + news.len();
+        let (mut expr, of_member, new) = found.introduce((&source, &of_source), next, symbols)?;
+        // The name may stand twice, `E = T + U = E`: the second is the symbol that the first adds.
+        let known: Vec<&New> = news.iter().map(|(_, new)| new).collect();
+        if let [new] = new.as_slice()
+            && let Some(first) = known.iter().position(|known| known.is_same_symbol(new))
+        {
+            let first = SymbolId(symbols.len() + first);
+            expr.rename(&|id| if id.0 == next { first } else { id });
+        } else if new.iter().any(|new| new.is_taken(&known, symbols)) {
+            return Err(found.undeclared(symbols));
+        } else {
+            news.extend(new.into_iter().map(|new| (at, new)));
+        }
+        read[at] = Some((expr, of_member));
+    }
+    Ok(news)
+}
+
+/// Rejects neighbours whose shapes cannot be compared, and an order between what is no number.
+fn compare_members(
+    members: &[Expr],
+    types: &[Type],
+    relations: &[(Relation, Span)],
+    symbols: &Symbols,
+) -> Result<(), Fault> {
+    for pair in 1..members.len() {
+        let (a, b) = (&members[pair - 1], &members[pair]);
+        let (of_a, of_b) = ((a, &types[pair - 1]), (b, &types[pair]));
+        let matrices = [shape::entries_of(of_a, of_b, symbols), shape::entries_of(of_b, of_a, symbols)];
+        if matrices.iter().all(Option::is_none) {
+            shape::comparable(of_a, of_b, symbols)?;
+        }
+        let (relation, place) = relations[pair - 1];
+        let is_order = matches!(
+            relation,
+            Relation::Less | Relation::LessEqual | Relation::Greater | Relation::GreaterEqual | Relation::NotEqual
+        );
+        let differ = relation == Relation::NotEqual
+            && [a, b]
+                .into_iter()
+                .zip([&types[pair - 1], &types[pair]])
+                .all(|(member, of)| of.shape == Shape::Vector || member.is_zero());
+        if is_order
+            && !differ
+            && !symbols.is_abstract()
+            && (types[pair - 1].shape != Shape::Scalar || types[pair].shape != Shape::Scalar)
+        {
+            let message = format!("“{}” needs a number on both sides", relation.glyph());
+            return Err(Fault::shape(place, message));
+        }
+    }
+    Ok(())
+}
+
+/// Rejects a sum over pairs of a letter that is free in the statement.
+fn reject_free_pair_sums(members: &[Expr], types: &[Type], symbols: &Symbols) -> Result<(), Fault> {
+    for (place, letters) in members.iter().flat_map(Expr::pair_sums) {
+        let is_free = |letter: &IndexId| {
+            symbols.for_each == Some(*letter) || types.iter().any(|found| found.free.contains(letter))
+        };
+        if let Some(letter) = letters.iter().find(|letter| is_free(letter)) {
+            let letter = &symbols.indices[letter.0].letter;
+            let message = format!("this is a sum over pairs, but {letter} is free in this equation");
+            return Err(Fault::index(place, message).help("write a Σ for each letter that is summed over"));
+        }
+    }
+    Ok(())
 }
 
 /// Whether a formula is a number with a unit.

@@ -3,9 +3,9 @@
 //! The text is unambiguous first, and short second. The argument of a function is in parentheses unless it is one
 //! angle. A thin space separates factors, and a product within a product keeps its parentheses.
 
-use crate::formula::symbols::{Operator, Symbols};
+use crate::formula::symbols::{Operator, SymbolId, Symbols};
 use crate::formula::text::{APPLICATION, is_infix};
-use crate::formula::tree::{Branch, ComplexPart, Condition, Excluded, Expr, Index, Node, Sign};
+use crate::formula::tree::{Branch, ComplexPart, Condition, Excluded, Expr, Index, IndexId, Node, Sign, Term};
 
 use super::names::{self, unaccented};
 
@@ -81,38 +81,8 @@ impl Typesetter<'_> {
             Node::Euler => "e".into(),
             Node::Unit(unit) => format!("\\,\\text{{{}}}", unit.symbol()),
             Node::Symbol { id, indices, dots } => self.symbol(*id, indices, *dots),
-            Node::Sum(terms) => {
-                let mut text = String::new();
-                for (at, term) in terms.iter().enumerate() {
-                    text.push_str(match (term.sign, at) {
-                        (Sign::Plus, 0) => "",
-                        (Sign::Minus, 0) => "-",
-                        (Sign::Plus, _) => " + ",
-                        (Sign::Minus, _) => " - ",
-                    });
-                    let inner = self.bare(&term.expr);
-                    match &term.expr.node {
-                        Node::Sum(_) => text.push_str(&format!("\\left({inner}\\right)")),
-                        _ => text.push_str(&inner),
-                    }
-                }
-                text
-            }
-            Node::Product(factors) => {
-                let mut text = String::new();
-                for (at, factor) in factors.iter().enumerate() {
-                    let piece = self.factor(factor, false);
-                    if at > 0 {
-                        // A number must not run on into the one before, nor a name into a command or a call.
-                        let run_on = matches!(factors[at - 1].node, Node::Number(_))
-                            && matches!(factor.node, Node::Quotient(..) | Node::Root(..));
-                        let digits = piece.starts_with(|c: char| c.is_ascii_digit());
-                        text.push_str(if digits || run_on { " \\cdot " } else { " \\, " });
-                    }
-                    text.push_str(&piece);
-                }
-                text
-            }
+            Node::Sum(terms) => self.sum(terms),
+            Node::Product(factors) => self.product(factors),
             Node::Quotient(a, b) => format!("\\frac{{{}}}{{{}}}", self.bare(a), self.bare(b)),
             Node::Power(base, exponent) => match &base.node {
                 Node::Call(function, argument) if exponent.as_digits().is_some() => {
@@ -126,16 +96,7 @@ impl Typesetter<'_> {
             Node::Apply(id, given) if self.symbols.entry(*id).operator == Some(Operator::Template) => {
                 self.template(&self.symbols.entry(*id).name.base, given)
             }
-            Node::Apply(id, arguments) => {
-                let arguments: Vec<String> = arguments.iter().map(|a| self.bare(a)).collect();
-                let entry = self.symbols.entry(*id);
-                let name = entry.name.to_string().replace(APPLICATION, "");
-                match arguments.as_slice() {
-                    [] => name,
-                    [inner] if name.starts_with('|') => format!("\\left.{inner}\\right{name}"),
-                    _ => format!("{name}\\left({}\\right)", arguments.join(", ")),
-                }
-            }
+            Node::Apply(id, arguments) => self.applied(*id, arguments),
             Node::TimeDerivative(1, a) => format!("\\frac{{d}}{{dt}}\\left({}\\right)", self.bare(a)),
             Node::TimeDerivative(n, a) => format!("\\frac{{d^{n}}}{{dt^{n}}}\\left({}\\right)", self.bare(a)),
             Node::Norm(a) => format!("\\left|{}\\right|", self.bare(a)),
@@ -160,48 +121,11 @@ impl Typesetter<'_> {
                 let rows: Vec<String> = branches.iter().map(|branch| self.branch(branch)).collect();
                 format!("\\begin{{cases}} {} \\end{{cases}}", rows.join(" \\\\ "))
             }
-            Node::Entry(a, i, j) => match &a.node {
-                Node::Transpose(inner) | Node::Inverse(inner) => {
-                    let above = if matches!(a.node, Node::Transpose(_)) { "T" } else { "-1" };
-                    match &inner.node {
-                        Node::Symbol { id, dots, indices }
-                            if indices.is_empty() && self.symbols.entry(*id).slots.len() == 2 =>
-                        {
-                            format!("{}^{{{above}}}", self.symbol(*id, &[*i, *j], *dots))
-                        }
-                        _ => format!("\\left({}\\right)_{{{}}}", self.bare(a), self.indices(&[*i, *j])),
-                    }
-                }
-                _ => format!("\\left({}\\right)_{{{}}}", self.bare(a), self.indices(&[*i, *j])),
-            },
+            Node::Entry(a, i, j) => self.entry(a, &[*i, *j]),
             Node::Epsilon(indices) => format!("\\epsilon_{{{}}}", self.indices(indices)),
             Node::Delta(indices) => format!("\\delta_{{{}}}", self.indices(indices)),
             Node::SumOver { body, implied: true, .. } => self.bare(body),
-            Node::SumOver { index, except, within, body, .. } => {
-                let letter = &self.symbols.indices[index.0].letter;
-                let mut clauses = String::new();
-                let mut upper = String::new();
-                for left_out in except {
-                    let separator =
-                        if clauses.is_empty() && within.is_none() { String::new() } else { format!(", {letter}") };
-                    let clause = match left_out {
-                        Excluded::Value(other) => format!("\\neq {}", self.index(*other)),
-                        Excluded::From(other) => format!("< {}", self.index(*other)),
-                        Excluded::UpTo(Index::Fixed(value)) => format!("= {}", value + 1),
-                        Excluded::UpTo(other) => format!("> {}", self.index(*other)),
-                        Excluded::Last(less) => {
-                            let entry = &self.symbols.indices[index.0];
-                            let count = entry.count.map(|count| self.symbols.entry(count).name.to_string());
-                            upper = format!("^{{{} - {less}}}", count.unwrap_or_else(|| entry.upper.to_string()));
-                            continue;
-                        }
-                    };
-                    clauses += &format!("{separator} {clause}");
-                }
-                let except = clauses;
-                let within = within.map_or_else(String::new, |region| format!(" \\in {}", self.region(region)));
-                format!("\\sum_{{{letter}{within}{except}}}{upper} {}", self.body(body))
-            }
+            Node::SumOver { index, except, within, body, .. } => self.sum_over(*index, except, *within, body),
             Node::Integral(region, a) => {
                 let entry = self.symbols.entry(*region);
                 let letter = entry.argument.as_ref().map(|argument| unaccented(argument).to_string());
@@ -222,6 +146,91 @@ impl Typesetter<'_> {
                 format!("\\int_{{{lower}}}^{{{upper}}} {} \\, d{letter}", self.body(&of.integrand))
             }
         }
+    }
+
+    fn sum(&self, terms: &[Term]) -> String {
+        let mut text = String::new();
+        for (at, term) in terms.iter().enumerate() {
+            text.push_str(match (term.sign, at) {
+                (Sign::Plus, 0) => "",
+                (Sign::Minus, 0) => "-",
+                (Sign::Plus, _) => " + ",
+                (Sign::Minus, _) => " - ",
+            });
+            let inner = self.bare(&term.expr);
+            match &term.expr.node {
+                Node::Sum(_) => text.push_str(&format!("\\left({inner}\\right)")),
+                _ => text.push_str(&inner),
+            }
+        }
+        text
+    }
+
+    fn product(&self, factors: &[Expr]) -> String {
+        let mut text = String::new();
+        for (at, factor) in factors.iter().enumerate() {
+            let piece = self.factor(factor, false);
+            if at > 0 {
+                // A number must not run on into the one before, nor a name into a command or a call.
+                let run_on = matches!(factors[at - 1].node, Node::Number(_))
+                    && matches!(factor.node, Node::Quotient(..) | Node::Root(..));
+                let digits = piece.starts_with(|c: char| c.is_ascii_digit());
+                text.push_str(if digits || run_on { " \\cdot " } else { " \\, " });
+            }
+            text.push_str(&piece);
+        }
+        text
+    }
+
+    /// A function or an operator with its arguments.
+    fn applied(&self, id: SymbolId, arguments: &[Expr]) -> String {
+        let arguments: Vec<String> = arguments.iter().map(|a| self.bare(a)).collect();
+        let entry = self.symbols.entry(id);
+        let name = entry.name.to_string().replace(APPLICATION, "");
+        match arguments.as_slice() {
+            [] => name,
+            [inner] if name.starts_with('|') => format!("\\left.{inner}\\right{name}"),
+            _ => format!("{name}\\left({}\\right)", arguments.join(", ")),
+        }
+    }
+
+    /// An entry of a matrix; that of a transpose or an inverse as the notes write it, `R^T_{ab}`.
+    fn entry(&self, matrix: &Expr, indices: &[Index]) -> String {
+        if let Node::Transpose(inner) | Node::Inverse(inner) = &matrix.node
+            && let Node::Symbol { id, dots, indices: none } = &inner.node
+            && none.is_empty()
+            && self.symbols.entry(*id).slots.len() == 2
+        {
+            let above = if matches!(matrix.node, Node::Transpose(_)) { "T" } else { "-1" };
+            return format!("{}^{{{above}}}", self.symbol(*id, indices, *dots));
+        }
+        format!("\\left({}\\right)_{{{}}}", self.bare(matrix), self.indices(indices))
+    }
+
+    /// A sum over an index, with what is left out of it below the Σ or above.
+    fn sum_over(&self, index: IndexId, except: &[Excluded], within: Option<SymbolId>, body: &Expr) -> String {
+        let letter = &self.symbols.indices[index.0].letter;
+        let mut clauses = String::new();
+        let mut upper = String::new();
+        for left_out in except {
+            let separator = if clauses.is_empty() && within.is_none() { String::new() } else { format!(", {letter}") };
+            let clause = match left_out {
+                Excluded::Value(other) => format!("\\neq {}", self.index(*other)),
+                Excluded::From(other) => format!("< {}", self.index(*other)),
+                Excluded::UpTo(Index::Fixed(value)) => format!("= {}", value + 1),
+                Excluded::UpTo(other) => format!("> {}", self.index(*other)),
+                Excluded::Last(less) => {
+                    let entry = &self.symbols.indices[index.0];
+                    let count = entry.count.map(|count| self.symbols.entry(count).name.to_string());
+                    upper = format!("^{{{} - {less}}}", count.unwrap_or_else(|| entry.upper.to_string()));
+                    continue;
+                }
+            };
+            clauses += &format!("{separator} {clause}");
+        }
+        let except = clauses;
+        let within = within.map_or_else(String::new, |region| format!(" \\in {}", self.region(region)));
+        format!("\\sum_{{{letter}{within}{except}}}{upper} {}", self.body(body))
     }
 
     /// The argument of a function: in parentheses, unless it is a symbol declared as an angle.

@@ -147,7 +147,7 @@ fn shown(marked: &Marked, (at, line): (usize, &Line), macros: &[MacroDefinition]
             }
             @if hints.0 > 0 {
                 p {
-                    (capital(&line.because))
+                    (capital(&line.because.to_string()))
                     @if let Some(from) = line.follows_from { " (" a href={ "#line-" (from) } { (marked.lines[from].name) } ")" }
                     "."
                     @if let (Some(result), Some(credit)) = (line.result.and_then(|at| marked.results.get(at)), line.credit) {

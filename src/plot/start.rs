@@ -47,7 +47,7 @@ impl Start {
             } else {
                 let all: Vec<&str> =
                     system.coordinates().iter().chain(system.parameters()).map(String::as_str).collect();
-                return Err(Error::new(format!("{latex} is no coordinate, rate or parameter of {}", system.name()))
+                return Err(Error::new(format!("{latex} is not a coordinate, rate or parameter of {}", system.name()))
                     .help(format!(
                         "its names are {}; a rate is written with a dot, as in '\\dot\\theta=0.5'",
                         all.join(", ")

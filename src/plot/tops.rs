@@ -17,7 +17,7 @@ fn is_top(system: &System) -> Result<()> {
     let sound = system.coordinates().len() == 3 && system.has_orientation() && cyclic(turns) && cyclic(spins);
     match sound && !cyclic(tilt) {
         true => Ok(()),
-        false => Err(Error::new(format!("{} is no symmetric top", system.name())).help("name heavy_top")),
+        false => Err(Error::new(format!("{} is not a symmetric top", system.name())).help("name heavy_top")),
     }
 }
 
@@ -155,7 +155,7 @@ pub(super) fn axis(system: &System, start: &Start) -> Result<Figure> {
 pub(super) fn polhodes(system: &System, start: &Start) -> Result<Figure> {
     let free = system.coordinates().len() == 3 && system.parameters().len() == 3 && system.has_orientation();
     if !free {
-        return Err(Error::new(format!("{} is no free rigid body", system.name())).help("name free_rigid_body"));
+        return Err(Error::new(format!("{} is not a free rigid body", system.name())).help("name free_rigid_body"));
     }
     let moments = Vector3::from_row_slice(&start.parameters);
     // on the ellipsoid of energy 1/2: λ₁ω₁² + λ₂ω₂² + λ₃ω₃² = 1

@@ -38,11 +38,13 @@ pub(super) fn unexpected(document: &Document, item: &Equation, style: Style) -> 
     let mut notes = evidence(finding);
     notes.extend(wrong.skip(1).map(|(at, part)| another(document, item, at, &part.finding, finding)));
     notes.extend(item.because.as_ref().map(|because| match finding.verdict.passes() {
-        true => format!("the claims file expects that it does not pass: {because}"),
+        true => format!("the reason in the claims file: {because}"),
         false => format!("the claims file expects another verdict: {because}"),
     }));
     let message = match (&item.because, finding.verdict.passes()) {
-        (Some(_), true) => format!("({}) is {}, against expectation", item.id, finding.verdict),
+        (Some(_), true) => {
+            format!("({}) is {}, and the claims file expects that it does not pass", item.id, finding.verdict)
+        }
         _ => format!("({}) {}: {}", item.id, outcome(finding, is_read(item, finding)), finding.message),
     };
     let code = code::of_finding(finding);

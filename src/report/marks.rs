@@ -5,7 +5,7 @@
 
 use serde_json::{Value, json};
 
-use crate::check::mark::{Line, Mark, Marked, Reached, ResultMark};
+use crate::check::mark::{Because, Line, Mark, Marked, Reached, ResultMark};
 use crate::notes::claims::Lost;
 
 use super::style::Style;
@@ -110,7 +110,7 @@ pub fn rows(class: &[Marked], hints: Hints) -> Vec<[String; 13]> {
             if let Some(result) = line.result.and_then(|at| marked.results.get(at)) {
                 (row[10], row[11]) = (result.id.clone(), number(result.points));
             }
-            row[12].clone_from(&line.because);
+            row[12] = line.because.to_string();
             rows.push(row);
         }
         for result in marked.results.iter().filter(|result| result.reached == Reached::No) {
@@ -262,7 +262,7 @@ fn marked_lines(marked: &Marked, hints: Hints, style: Style, out: &mut String) {
         *out += &(wrap(&first, &shortened(&line.statement), 4 + width + 2, style.width) + "\n");
         let mut notes = Vec::new();
         match line.mark {
-            Mark::Right if line.because == "follows from the problem" => {}
+            Mark::Right if line.because == Because::Follows => {}
             _ => notes.push(format!("{}: {}", line.mark.word(), line.because)),
         }
         if let (Some(at), Some(credit)) = (line.result, line.credit) {

@@ -213,7 +213,7 @@ fn line(item: &Equation, width: usize, style: Style) -> String {
         // What one part leaves open is said of the whole.
         let leaves_open = |finding: &Finding| finding.code == Code::DefinitionUpToSign;
         if item.ok && !leaves_open(finding) && item.parts.iter().any(|part| leaves_open(&part.finding)) {
-            text.push_str(" · nothing checks the sign of a definition in it");
+            text.push_str(" · no other equation checks the sign of a definition in it");
         }
     }
     let first = format!("  {mark} {}{}  {verdict}  ", item.id, " ".repeat(width.saturating_sub(columns(&item.id))));

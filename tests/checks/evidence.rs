@@ -325,7 +325,7 @@ fn what_one_part_of_a_display_leaves_open_is_said_of_the_display() {
         let report = onshell::check::Report::new(vec![found]);
         onshell::report::text::report(&report, true, onshell::report::Style::new(300, false))
     };
-    let says = "nothing checks the sign of a definition in it";
+    let says = "no other equation checks the sign of a definition in it";
     let open = line(r"(a - b)^2 = a^2 - 2ab + b^2 , \quad p = ab , \quad s = a + b");
     assert!(open.contains("(3 parts)") && open.contains(says), "{open}");
     // The twin: alone it says so itself.

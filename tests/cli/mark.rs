@@ -249,7 +249,7 @@ fn a_problem_that_is_wrong_itself_marks_nobody() {
     desk.change("p.md", (r"\frac{v_0^2}{2g}", r"\frac{v_0^2}{g}"));
     let run = desk.onshell(&["mark", "class", "--claims", "p.json"]);
     assert_eq!(run.code, 2, "{}", run.out);
-    assert!(run.err.contains("is a result that is wanted, but in the model solution it is refuted"), "{}", run.err);
+    assert!(run.err.contains("is one of the wanted results, but in the model solution it is refuted"), "{}", run.err);
     let none = desk.onshell(&["mark", "nobody.md", "--claims", "p.json"]);
     assert_eq!(none.code, 2);
 }

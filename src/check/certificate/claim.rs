@@ -21,6 +21,8 @@ pub enum Certificate {
     Identity(f64),
     /// Not decided, for this reason: a noun phrase.
     Open(String),
+    /// Not decided, because coefficients may be larger than the prime.
+    LargeCoefficients,
     /// Not decided, and this term is too small for floating-point numbers to test.
     NegligibleTerm(String),
     /// Not an identity, although floating-point numbers do not show the difference.
@@ -37,6 +39,10 @@ impl Certificate {
                 Finding { verdict: Verdict::Certified, false_accept_log2: Some(log2), ..finding }
             }
             Certificate::Open(reason) => Finding { not_certified_because: Some(reason), ..finding },
+            Certificate::LargeCoefficients => {
+                let reason = "coefficients that may be larger than the prime".to_owned();
+                Finding { not_certified_because: Some(reason), ..finding }
+            }
             Certificate::NegligibleTerm(term) => {
                 finding.replaced(Code::TermTooSmall, Verdict::Undecided, negligible_terms::message(&term))
             }

@@ -58,11 +58,8 @@ const POINTS: std::ops::RangeInclusive<usize> = 2..=6;
 /// The largest number of attempts to find a point at which no denominator vanishes and every root exists.
 const ATTEMPTS: u32 = 64;
 
-/// The reason for which a second field is used.
-const TOO_LARGE: &str = "coefficients that may be larger than the prime";
-
 /// The reason for which a claim about families of any size stays open.
-const HOW_IT_GROWS: &str = "sums over families, where the numbers of members that were tried do not decide all others";
+const HOW_IT_GROWS: &str = "sums over a family: the numbers of members that were tried do not decide all others";
 
 /// The largest number of integer values that are tried one after the other.
 const WHOLES: usize = 32;
@@ -74,10 +71,9 @@ const MOST_ROOTS: u32 = 5;
 pub fn certify(link: &Link, context: &Context<'_>, ensemble: &Ensemble<'_>) -> Certificate {
     match decide(&[&link.lhs, &link.rhs], context, ensemble, link) {
         // The claim then rests on numbers only, so its small terms matter.
-        Certificate::Open(reason) => match negligible_terms::inside(link, &ensemble.states) {
-            Some(term) => Certificate::NegligibleTerm(term),
-            None => Certificate::Open(reason),
-        },
+        open @ (Certificate::Open(_) | Certificate::LargeCoefficients) => {
+            negligible_terms::inside(link, &ensemble.states).map_or(open, Certificate::NegligibleTerm)
+        }
         decided => decided,
     }
 }
@@ -96,7 +92,7 @@ pub(crate) fn decide(
     let sums = growing.obeys(&ensemble.projection);
     let grows = growing.of_difference(formulas).filter(|growth| claim.free().is_some() || *growth == 0);
     let distinguished = growing.distinguished_members(formulas, claim.free().unwrap_or_default());
-    let mut reason = HOW_IT_GROWS.to_owned();
+    let mut open = Certificate::Open(HOW_IT_GROWS.to_owned());
     // One member, or two, may be too few for a formula to have a value. Hypotheses that cannot be solved for few
     // members cannot be solved for more.
     let attempts: &[u32] = if ensemble.projection.equalities().next().is_none() { &[1, 3] } else { &[1] };
@@ -110,11 +106,11 @@ pub(crate) fn decide(
         let context = Context { model: &model, ..*context };
         let projection = Projection::new(&model, &context.setting(ensemble.mode));
         match decide_by((&projection, sums.as_ref()), formulas, &context, ensemble, claim) {
-            Certificate::Open(found) => reason = found,
+            found @ (Certificate::Open(_) | Certificate::LargeCoefficients) => open = found,
             decided => return decided,
         }
     }
-    Certificate::Open(reason)
+    open
 }
 
 /// Decides whether differences vanish. A second field is used if coefficients may be larger than the first prime: a
@@ -134,7 +130,7 @@ fn decide_by(
         return Certificate::Open(PRINCIPAL_AXES.to_owned());
     };
     let found = all_symbols(formulas, projection).and_then(|symbols| {
-        integer_values(projection, &symbols).ok_or_else(|| "integers with too many values".to_owned())
+        integer_values(projection, &symbols).ok_or_else(|| "integers with too many values to try each".to_owned())
     });
     let integer_values = match found {
         Ok(integer_values) => integer_values,
@@ -144,7 +140,7 @@ fn decide_by(
     let states = (projection, ensemble);
     let one = Modular::<FirstPrime>::most_bits();
     match decide_in::<FirstPrime>(&integer_values, context, states, claim, one) {
-        Certificate::Open(reason) if reason == TOO_LARGE => {}
+        Certificate::LargeCoefficients => {}
         decided => return decided,
     }
     let both = one + Modular::<SecondPrime>::most_bits();
@@ -196,7 +192,7 @@ fn decide_in<F: Modulus>(
         let solved = solved.with(generality);
         match (at_points(&solved, &mut draw, least, claim, most_bits), reason) {
             (Certificate::Identity(log2), _) => worst = worst.max(log2),
-            (Certificate::Open(large), Some(_)) if large == TOO_LARGE => return Certificate::Open(large),
+            (Certificate::LargeCoefficients, Some(_)) => return Certificate::LargeCoefficients,
             (_, Some(reason)) => return Certificate::Open(reason),
             (Certificate::Differs, None) if !was_drawn(whole) => {
                 let open = || Certificate::Open("an integer value at which no state was drawn".to_owned());
@@ -228,7 +224,7 @@ fn at_points<F: Modulus>(
             return Certificate::Identity(log2);
         }
     }
-    Certificate::Open("a degree that is too high for the prime field".to_owned())
+    Certificate::Open("polynomials of too high a degree for the prime field".to_owned())
 }
 
 /// All combinations of values of the integers in a base on which the claim depends; `None` if there are too many. Each
@@ -268,7 +264,7 @@ pub(crate) fn all_symbols(formulas: &[&Expr], projection: &Projection<'_>) -> Re
         _ => false,
     };
     if projection.rules.iter().any(divided_by_zero) {
-        return Err("a law whose leading coefficient may be 0".to_owned());
+        return Err("a law in which the coefficient of the highest derivative may be 0".to_owned());
     }
     let mut waiting: Vec<&Expr> = formulas.iter().copied().chain(of_hypotheses).chain(of_rules).collect();
     let (mut seen, mut reason): (Vec<SymbolId>, Option<&str>) = (Vec::new(), None);
@@ -276,7 +272,7 @@ pub(crate) fn all_symbols(formulas: &[&Expr], projection: &Projection<'_>) -> Re
         let mut symbols = Vec::new();
         formula.walk(&mut |expr| match &expr.node {
             Node::Integral(..) | Node::Definite(_) => reason = reason.or(Some("an integral")),
-            Node::Rest(_) => reason = reason.or(Some("a sum of which terms are left out")),
+            Node::Rest(_) => reason = reason.or(Some("a sum whose further terms are left out")),
             Node::Shrinking(..) => reason = reason.or(Some("a limit")),
             Node::Symbol { id, .. } => symbols.push(*id),
             _ => {}
@@ -337,18 +333,22 @@ pub(crate) fn at_one_point<F: Modulus>(
             return match (record.opaque, is_free) {
                 (false, true) => Certificate::Differs,
                 (true, _) => Certificate::Open(
-                    "a root, an exponential, a logarithm, or a sine of something that is no sum of angles".to_owned(),
+                    "a root, an exponential, a logarithm, or the sine of something other than a sum of angles"
+                        .to_owned(),
                 ),
                 (false, false) => Certificate::Open(OTHER_WAYS.to_owned()),
             };
         }
         let Some(bound) = false_accept_log2(&bound, &record, ATTEMPTS, most_bits) else {
-            return Certificate::Open(TOO_LARGE.to_owned());
+            return Certificate::LargeCoefficients;
         };
         log2 = log2.max(bound);
         signs += 1;
         if record.roots > MOST_ROOTS {
-            return Certificate::Open(format!("{} square roots, each with two signs", record.roots));
+            return Certificate::Open(format!(
+                "{} square roots, which have too many combinations of signs",
+                record.roots
+            ));
         }
         if signs >> record.roots == 1 {
             return Certificate::Identity(log2);

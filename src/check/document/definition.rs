@@ -22,9 +22,8 @@ pub(crate) fn define(
     let error = |message: String| Error::at(&claims.source, latex.span, message);
     let square = latex.value.trim().strip_suffix("^2").or(latex.value.trim().strip_suffix("^{2}"));
     let name = name_search::parse_decorated(square.unwrap_or(&latex.value)).ok_or_else(|| {
-        error(format!("{} is not the name of a symbol", latex.value)).help(
-            "a name is a letter or a Greek command; accents, a subscript and primes are allowed, as in \\hat{e}_a",
-        )
+        error(format!("{} is defined here, and is not the name of a symbol", latex.value))
+            .help("write a letter or a Greek command, with accents, a subscript or primes, as in \\hat{e}_a")
     })?;
     let mut symbols = model.symbols.clone();
     let formula =
@@ -40,7 +39,8 @@ pub(crate) fn define(
         Shape::Complex => Kind::Complex,
         Shape::Abstract => Kind::Abstract,
         Shape::Matrix(..) => {
-            return Err(error(format!("the definition of {shown} is a matrix of an unknown size")));
+            return Err(error(format!("the definition of {shown} is a matrix of an unknown size"))
+                .help("write the matrix out, or declare the size of each matrix in it, as in \"A\": \"3x3 matrix\""));
         }
     };
     let id = symbols
@@ -57,7 +57,7 @@ pub(crate) fn define(
     {
         let letter = &symbols.indices[letter.0].letter;
         return Err(error(format!(
-            "an index of {shown} is also summed over in its definition, in pairs with {letter}"
+            "the definition of {shown} sums over pairs of {letter} and another index, and {shown} has one of them"
         ))
         .help("write one Σ for each index that is summed over"));
     }

@@ -26,19 +26,23 @@ pub(crate) fn define(model: &mut Model) -> Result<()> {
     else {
         return Ok(());
     };
-    let unsupported = |what: &str| Error::new(format!("{name} is no normal frequency: {what}"));
+    let unsupported =
+        |what: &str| Error::new(format!("{name} cannot be derived as a normal frequency, because {what}"));
     let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
     let [only] = coordinates.as_slice() else {
         return Err(unsupported("the Lagrangian has no coordinate").help("declare one under \"coordinates\""));
     };
     let second = |a: u8, b: u8| {
         let found = at_rest(model, lagrangian, [(*only, a), (*only, b)], &coordinates);
-        found.ok_or_else(|| unsupported("the Lagrangian has no second derivatives as formulas"))
+        found.ok_or_else(|| {
+            unsupported("the second derivatives of the Lagrangian cannot be formed as formulas")
+                .help("write the Lagrangian with sums, products, powers and elementary functions")
+        })
     };
     let (stiffness, mass) = (second(0, 0)?, second(1, 1)?);
     if [&stiffness, &mass].into_iter().any(|part| model.contains_time(part)) {
         return Err(
-            unsupported("the Lagrangian depends on the time").help("claim only what does not need a normal frequency")
+            unsupported("the Lagrangian depends on the time").help("remove the claims that need a normal frequency")
         );
     }
     let square = node(Node::Quotient(Box::new(stiffness.negated()), Box::new(mass)));
@@ -46,7 +50,9 @@ pub(crate) fn define(model: &mut Model) -> Result<()> {
     for omega in model.normal_frequencies.clone() {
         let id = match model.symbols.find(&omega) {
             Some((id, _)) => id,
-            None => model.symbols.add(omega, Kind::Scalar).ok_or_else(|| unsupported("its name has two meanings"))?,
+            None => model.symbols.add(omega, Kind::Scalar).ok_or_else(|| {
+                unsupported("this name has another meaning too").help("give the frequency a name of its own")
+            })?,
         };
         model.redefine(id, formula.clone());
     }

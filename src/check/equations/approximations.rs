@@ -98,7 +98,7 @@ impl Checker<'_> {
         let Some(said) = self.says_small(claim, context.span) else { return Ok(None) };
         let open = |message: &str| Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message.to_owned())));
         let Some(places) = self.places_of(&said) else {
-            return open("does not hold exactly, and about this place it was not tried to first order");
+            return open("this does not hold exactly, and it was not tried to first order about this place");
         };
         let (small, rates) = self.small_motion(&said, &places);
         let close = Link { relation: Relation::Approximately, ..link.clone() };
@@ -118,7 +118,7 @@ impl Checker<'_> {
                 Ok(None)
             }
             _ => open(&format!(
-                "does not hold exactly, and small motion about {} could not be tried",
+                "this does not hold exactly, and it could not be tried for small motion about {}",
                 self.shown(&places)
             )),
         }

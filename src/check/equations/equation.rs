@@ -20,7 +20,7 @@ use crate::check::hypotheses::rule::{Action, Rule};
 use crate::check::judge::{identity, term_fit};
 use crate::check::kinds::mechanics::modes;
 use crate::check::kinds::{conserved, exactly_when};
-use crate::check::model::claim::{Link, is_equality};
+use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::meaning::Meaning;
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
@@ -195,54 +195,23 @@ impl Checker<'_> {
         }
         let hypotheses = self.hypotheses(claim)?;
         let local = self.local(claim)?;
-        // With "also equals", the equalities that a claim assumes are hypotheses of the added expression only. Its
-        // inequalities restrict the states of the whole equation.
-        let printed = match claim.also_equals {
-            Some(_) => {
-                let of_all = self.hypotheses(&Claim::default())?.into_iter().filter(|c| !is_inequality(c.relation));
-                of_all.chain(hypotheses.iter().filter(|c| is_inequality(c.relation)).cloned()).collect()
-            }
-            None => hypotheses.clone(),
-        };
+        let printed = self.hypotheses_as_printed(claim, &hypotheses)?;
         if let (Some(claimed), true) = (&claim.equilibrium, reading.statements.iter().all(Result::is_ok)) {
             return self.equilibria(reading, (claim, claimed.value), &hypotheses, offset, topic);
         }
         let on_shell = claim.holds.as_ref().map(|holds| holds.value == Holds::OnShell);
         let context = |topic: &'_ str, span: Span| -> (String, Span) { (topic.to_owned(), span.shifted(offset)) };
         let mut parts = Vec::new();
-        let approximates = |s: &Statement| s.relations.iter().any(|(relation, _)| *relation == Relation::Approximately);
-        if let Some(limit) = &claim.limit
-            && !reading.statements.iter().flatten().any(approximates)
-        {
-            return Err(Error::at(
-                &self.claims.source,
-                limit.span,
-                "there is no ≈ in this equation, and \"limit\" needs one",
-            )
-            .help("write ≈, or remove \"limit\""));
-        }
-        if let (Some(message), true) = (
-            self.lacks_a_relation(claim, reading.statements.iter().flatten()),
-            reading.statements.iter().all(Result::is_ok),
-        ) {
-            let span = self.notes.equations[display].body;
-            return Ok(vec![
-                self.part(Finding::new(Code::ClaimDoesNotFit, Verdict::Unreadable, span, message), String::new()),
-            ]);
+        self.needs_a_near_equality(reading, claim)?;
+        if let Some(finding) = self.without_a_relation(display, reading, claim) {
+            return Ok(vec![self.part(finding, String::new())]);
         }
         let mut units_agree = true;
         for (at, statement) in reading.statements.iter().enumerate() {
             let (topic, span) = match statement {
                 Ok(statement) => context(&format!("{topic} part {}", at + 1), statement.span),
                 Err(fault) => {
-                    let mut finding = unreadable(fault, offset);
-                    if let Some(cause) = self.cause(fault.missing.as_ref()) {
-                        finding.code = Code::DependsOnUnreadable;
-                        finding.message = format!("{}; {cause}", fault.message);
-                    } else if let Some(advice) = self.without_a_number(fault.missing.as_ref()) {
-                        finding.message = format!("{}; {advice}", fault.message);
-                    }
-                    parts.push(self.part(finding, String::new()));
+                    parts.push(self.part(self.unread_statement(fault, offset), String::new()));
                     continue;
                 }
             };
@@ -252,12 +221,8 @@ impl Checker<'_> {
                 return Ok(parts);
             }
             let Ok(statement) = statement else { continue };
-            if let Some(finding) = self.unit_conflict((display, offset), statement, claim) {
-                parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
-                units_agree = false;
-                continue;
-            }
-            if let Some(finding) = self.misfit(statement, offset) {
+            let units = self.unit_conflict((display, offset), statement, claim);
+            if let Some(finding) = units.or_else(|| self.misfit(statement, offset)) {
                 parts.push(self.part(finding, text::statement(statement, &self.model.symbols)));
                 units_agree = false;
                 continue;
@@ -298,6 +263,48 @@ impl Checker<'_> {
             parts.push(self.part(finding, String::new()));
         }
         Ok(parts)
+    }
+
+    /// The hypotheses of what is printed. With "also equals", the equalities that a claim assumes are hypotheses of the added
+    /// expression only. Its inequalities restrict the states of the whole equation.
+    fn hypotheses_as_printed(&self, claim: &Claim, hypotheses: &[Hypothesis]) -> Result<Vec<Hypothesis>> {
+        if claim.also_equals.is_none() {
+            return Ok(hypotheses.to_vec());
+        }
+        let of_all = self.hypotheses(&Claim::default())?.into_iter().filter(|c| !is_inequality(c.relation));
+        Ok(of_all.chain(hypotheses.iter().filter(|c| is_inequality(c.relation)).cloned()).collect())
+    }
+
+    /// Rejects a limit for a display without ≈.
+    fn needs_a_near_equality(&self, reading: &Reading, claim: &Claim) -> Result<()> {
+        let approximates = |s: &Statement| s.relations.iter().any(|(relation, _)| *relation == Relation::Approximately);
+        match &claim.limit {
+            Some(limit) if !reading.statements.iter().flatten().any(approximates) => {
+                let message = "there is no ≈ in this equation, and \"limit\" needs one";
+                Err(Error::at(&self.claims.source, limit.span, message).help("write ≈, or remove \"limit\""))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The finding on a display that was read and has no relation that its claim needs.
+    fn without_a_relation(&self, display: usize, reading: &Reading, claim: &Claim) -> Option<Finding> {
+        let message = self.lacks_a_relation(claim, reading.statements.iter().flatten())?;
+        let span = self.notes.equations[display].body;
+        let is_read = reading.statements.iter().all(Result::is_ok);
+        is_read.then(|| Finding::new(Code::ClaimDoesNotFit, Verdict::Unreadable, span, message))
+    }
+
+    /// The finding on a statement that cannot be read, with the display that is the cause of it.
+    fn unread_statement(&self, fault: &Fault, offset: usize) -> Finding {
+        let mut finding = unreadable(fault, offset);
+        if let Some(cause) = self.cause(fault.missing.as_ref()) {
+            finding.code = Code::DependsOnUnreadable;
+            finding.message = format!("{}; {cause}", fault.message);
+        } else if let Some(advice) = self.without_a_number(fault.missing.as_ref()) {
+            finding.message = format!("{}; {advice}", fault.message);
+        }
+        finding
     }
 
     pub(crate) fn part(&self, finding: Finding, reading: String) -> Part {
@@ -355,51 +362,7 @@ impl Checker<'_> {
                 }
                 link.rhs = with_dropped(&link.rhs, &dropped);
             }
-            let (from, context) = (statement.members[at].span, place);
-            let solution = self.solution(&link, at, claim);
-            let finding = match relation {
-                Relation::Equal if self.starts(claim) => {
-                    self.along_its_start(&link, solution.as_ref(), claim, &context)?
-                }
-                _ if solution.is_some() => match &solution {
-                    Some(solution) => self.of_the_motion(solution, &context)?,
-                    None => identity::check(&link, &context)?,
-                },
-                Relation::Approximately => self.approximation(&link, claim, *sign, (from, &context))?,
-                Relation::Proportional => context.finding(
-                    Code::NotSupported,
-                    Verdict::Unreadable,
-                    "∝ is not supported; write an equation with a constant",
-                ),
-                Relation::Equal if at == 0 && self.is_mode(&link) => {
-                    let mode =
-                        link.lhs.as_plain_symbol().map(|id| self.mode(id, &link.rhs, &context)).transpose()?.flatten();
-                    mode.map_or_else(|| identity::check(&link, &context), Ok)?
-                }
-                Relation::Equal if at == 0 && self.is_frequency(&link) => {
-                    let of = |id| self.declared_frequency(id, &link.rhs, &context);
-                    let found = link.lhs.as_plain_symbol().map(of).transpose()?.flatten();
-                    found.map_or_else(|| identity::check(&link, &context), Ok)?
-                }
-                Relation::Equal if claim.secular_for.is_some() => match &claim.secular_for {
-                    Some(omega) => modes::secular_equation(&link, self.symbol(omega)?, &context)?,
-                    None => identity::check(&link, &context)?,
-                },
-                relation if !is_equality(*relation) && !claim.exactly_when.is_empty() => {
-                    exactly_when::check(&link, &self.alternatives(claim)?, &context)?
-                }
-                _ if claim.continuum_limit_of.is_some() => self.continuum(&link, claim, &context)?,
-                // A fit of single terms needs one equation: not two by ±, and none with dropped terms.
-                _ if statement.branch.is_none() && claim.dropping.is_none() => {
-                    let found = self.along_the_motion(&link, identity::check(&link, &context)?, &context)?;
-                    let found = self.in_first_order(&link, found, claim, &context)?;
-                    term_fit::fitted(&link, &context, found)
-                }
-                _ => identity::check(&link, &context)?,
-            };
-            let finding = self.with_moving_constant(&link, finding, &context);
-            let finding = self.with_undetermined_name(&link, finding, &context);
-            let finding = context.for_every_function(finding, &[&link.lhs, &link.rhs]);
+            let finding = self.linked(statement, (at, *relation, *sign), &link, claim, &place)?;
             links.push(JudgedLink { at, finding, relation: *relation });
         }
         self.zeros(statement, &mut links, context)?;
@@ -431,6 +394,60 @@ impl Checker<'_> {
             parts.push(self.part(finding, what));
         }
         Ok(parts)
+    }
+
+    /// The finding on one link of a statement, by the kind of claim that is made of it.
+    fn linked(
+        &self,
+        statement: &Statement,
+        (at, relation, sign): (usize, Relation, Span),
+        link: &Link,
+        claim: &Claim,
+        context: &Context<'_>,
+    ) -> Result<Finding> {
+        let from = statement.members[at].span;
+        let solution = self.solution(link, at, claim);
+        let finding = match relation {
+            Relation::Equal if self.starts(claim) => self.along_its_start(link, solution.as_ref(), claim, context)?,
+            _ if solution.is_some() => match &solution {
+                Some(solution) => self.of_the_motion(solution, context)?,
+                None => identity::check(link, context)?,
+            },
+            Relation::Approximately => self.approximation(link, claim, sign, (from, context))?,
+            Relation::Proportional => context.finding(
+                Code::NotSupported,
+                Verdict::Unreadable,
+                "∝ is not supported; write an equation with a constant",
+            ),
+            Relation::Equal if at == 0 && self.is_mode(link) => {
+                let mode =
+                    link.lhs.as_plain_symbol().map(|id| self.mode(id, &link.rhs, context)).transpose()?.flatten();
+                mode.map_or_else(|| identity::check(link, context), Ok)?
+            }
+            Relation::Equal if at == 0 && self.is_frequency(link) => {
+                let of = |id| self.declared_frequency(id, &link.rhs, context);
+                let found = link.lhs.as_plain_symbol().map(of).transpose()?.flatten();
+                found.map_or_else(|| identity::check(link, context), Ok)?
+            }
+            Relation::Equal if claim.secular_for.is_some() => match &claim.secular_for {
+                Some(omega) => modes::secular_equation(link, self.symbol(omega)?, context)?,
+                None => identity::check(link, context)?,
+            },
+            relation if !is_equality(relation) && !claim.exactly_when.is_empty() => {
+                exactly_when::check(link, &self.alternatives(claim)?, context)?
+            }
+            _ if claim.continuum_limit_of.is_some() => self.continuum(link, claim, context)?,
+            // A fit of single terms needs one equation: not two by ±, and none with dropped terms.
+            _ if statement.branch.is_none() && claim.dropping.is_none() => {
+                let found = self.along_the_motion(link, identity::check(link, context)?, context)?;
+                let found = self.in_first_order(link, found, claim, context)?;
+                term_fit::fitted(link, context, found)
+            }
+            _ => identity::check(link, context)?,
+        };
+        let finding = self.with_moving_constant(link, finding, context);
+        let finding = self.with_undetermined_name(link, finding, context);
+        Ok(context.for_every_function(finding, &[&link.lhs, &link.rhs]))
     }
 
     /// Whether a link only repeats a definition of the display, or is the same formula in another order.

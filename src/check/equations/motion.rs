@@ -95,8 +95,8 @@ impl Checker<'_> {
             Some(name) if is_meant && !link.rhs.symbols().iter().any(|(id, _)| *id == coordinate) => {
                 let name = text::plain(&self.model.name(name));
                 let message = format!(
-                    "{name} has a formula that moves, so it is no constant of integration, and this was not decided; \
-                     write the constant as a letter of its own"
+                    "the formula of {name} varies with time, so it cannot be a constant of integration, and this was not \
+                     decided; write the constant as another letter"
                 );
                 context.finding(Code::NotDecided, Verdict::Undecided, message)
             }
@@ -301,7 +301,7 @@ impl Checker<'_> {
         let Some(lasting) = self.lasting(claim)? else { return Ok(parts) };
         let lasts = |part: Part| {
             let message = format!(
-                "{}; this is so while the coordinate stays where the hypothesis puts it, and not at any instant",
+                "{}; this holds only while the coordinate stays where the hypothesis puts it",
                 part.finding.message
             );
             Part { finding: Finding { message, ..part.finding }, ..part }

@@ -125,63 +125,10 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
         Test::NotAlways(latex) => {
             let statements = checker.statements(latex)?;
             let reading: Vec<String> = statements.iter().map(|s| text::statement(s, symbols)).collect();
-            let found = claim(checker, sentence, &statements, context)?;
-            let finding = match found.verdict {
-                Verdict::Refuted => {
-                    let message = "the claim does not always hold: there is a counterexample";
-                    Finding {
-                        not_certified_because: Some("a counterexample in numbers".into()),
-                        ..found.replaced(Code::NotAlways, Verdict::Verified, message)
-                    }
-                }
-                verdict if verdict.passes() => {
-                    found.replaced(Code::HoldsAlways, Verdict::Refuted, "the claim holds at every sampled state")
-                }
-                _ => found,
-            };
+            let finding = not_always(claim(checker, sentence, &statements, context)?);
             Ok((finding, format!("not always: {}", reading.join("; "))))
         }
-        Test::RefersTo { number, containing } => {
-            let wanted = checker.formula(containing)?;
-            let words = text::formula(&wanted, symbols);
-            let contains = |reading: &Reading| {
-                let members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
-                members.into_iter().any(|member| {
-                    let mut found = false;
-                    member.walk(&mut |inner| found |= *inner == wanted);
-                    found
-                })
-            };
-            let holders: Vec<&str> = checker
-                .notes
-                .equations
-                .iter()
-                .zip(checker.readings)
-                .filter(|(_, reading)| contains(reading))
-                .filter_map(|(display, _)| display.id())
-                .collect();
-            let finding = match checker.display(&number.value) {
-                Some(reading) if contains(reading) => {
-                    let message = format!("({}) contains {words}", number.value);
-                    Finding { points: 1, tried: 1, ..context.verified(message, "what a text refers to") }
-                }
-                found => {
-                    let others = match holders.as_slice() {
-                        [] => String::new(),
-                        [only] => format!("; ({only}) does"),
-                        all => format!("; ({}) do", all.join("), (")),
-                    };
-                    let message = match found {
-                        Some(_) => format!("({}) does not contain {words}{others}", number.value),
-                        None => {
-                            format!("the notes have no ({}), so it does not contain {words}{others}", number.value)
-                        }
-                    };
-                    context.finding(Code::WrongReference, Verdict::Refuted, message)
-                }
-            };
-            Ok((finding, format!("({}) contains {words}", number.value)))
-        }
+        Test::RefersTo { number, containing } => refers_to(checker, &number.value, containing, context),
         Test::Conserved(latex) => {
             let formula = checker.formula(latex)?;
             let reading = format!("{} is constant", text::formula(&formula, symbols));
@@ -211,6 +158,71 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
             Ok((function_shape::check(&target, variable, &shape, context), reading))
         }
     }
+}
+
+/// The finding that a claim does not always hold, from the finding on the claim.
+fn not_always(found: Finding) -> Finding {
+    match found.verdict {
+        Verdict::Refuted => {
+            let message = "the claim does not always hold: there is a counterexample";
+            Finding {
+                not_certified_because: Some("a counterexample in numbers".into()),
+                ..found.replaced(Code::NotAlways, Verdict::Verified, message)
+            }
+        }
+        verdict if verdict.passes() => {
+            found.replaced(Code::HoldsAlways, Verdict::Refuted, "the claim holds at every sampled state")
+        }
+        _ => found,
+    }
+}
+
+/// The finding that the display with a number contains a formula, as a text says that refers to it.
+fn refers_to(
+    checker: &Checker<'_>,
+    number: &str,
+    containing: &Spanned<String>,
+    context: &Context<'_>,
+) -> Result<(Finding, String)> {
+    let wanted = checker.formula(containing)?;
+    let words = text::formula(&wanted, &checker.model.symbols);
+    let contains = |reading: &Reading| {
+        let members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        members.into_iter().any(|member| {
+            let mut found = false;
+            member.walk(&mut |inner| found |= *inner == wanted);
+            found
+        })
+    };
+    let holders: Vec<&str> = checker
+        .notes
+        .equations
+        .iter()
+        .zip(checker.readings)
+        .filter(|(_, reading)| contains(reading))
+        .filter_map(|(display, _)| display.id())
+        .collect();
+    let finding = match checker.display(number) {
+        Some(reading) if contains(reading) => {
+            let message = format!("({}) contains {words}", number);
+            Finding { points: 1, tried: 1, ..context.verified(message, "what a text refers to") }
+        }
+        found => {
+            let others = match holders.as_slice() {
+                [] => String::new(),
+                [only] => format!("; ({only}) does"),
+                all => format!("; ({}) do", all.join("), (")),
+            };
+            let message = match found {
+                Some(_) => format!("({}) does not contain {words}{others}", number),
+                None => {
+                    format!("the notes have no ({}), so it does not contain {words}{others}", number)
+                }
+            };
+            context.finding(Code::WrongReference, Verdict::Refuted, message)
+        }
+    };
+    Ok((finding, format!("({}) contains {words}", number)))
 }
 
 impl Checker<'_> {

@@ -62,7 +62,7 @@ impl Checker<'_> {
                 "defines {name}, but {} {repeat} the definition, so it was not tested; use {name} in an equation that can fail",
                 by.join(", ")
             );
-            return Ok(context.finding(Code::DefinitionNotTested, Verdict::Undecided, message));
+            return Ok(context.finding(Code::DefinitionNotTested, Verdict::Undecided, message).defining(&name));
         }
         let by_law = self.uses_by_law(introduced)?;
         let mut users: Vec<User<'_>> = uses.iter().map(|used| used.by(context)).collect();
@@ -101,7 +101,7 @@ impl Checker<'_> {
         let what = if frequency.is_period { "period" } else { "frequency" };
         let found = steady::check(&square, what, &place, context)?;
         Ok(Some(found.unwrap_or_else(|| {
-            let message = format!("the {what} of small oscillations cannot be formed here");
+            let message = format!("the {what} of small oscillations cannot be derived from the Lagrangian here");
             context.finding(Code::NotSupported, Verdict::Undecided, message)
         })))
     }
@@ -184,10 +184,11 @@ impl Checker<'_> {
         };
         let what = match name == whole {
             true => format!("the {kind}"),
-            false if printed_lagrangian::is_force(model, symbol) => "from which forces follow".to_owned(),
+            false if printed_lagrangian::is_force(model, symbol) => "which gives forces".to_owned(),
             false => format!("a part of the {kind} {whole}"),
         };
-        let message = format!("defines {name}, {what}; it is not checked, and the equations of motion follow from it");
+        let message =
+            format!("defines {name}, {what}; it is not checked, because the equations of motion are derived from it");
         context.finding(Code::LagrangianDefined, Verdict::Definition, message)
     }
 

@@ -194,7 +194,7 @@ impl Checker<'_> {
                 let known = judged.iter().find(|(known, _)| *known == together).map(|(_, finding)| finding.clone());
                 let finding = match coordinates(statement).is_empty() && claim.at.is_empty() {
                     true => {
-                        let message = "this says nothing of a coordinate; say under \"at\" where each coordinate is";
+                        let message = "this gives no coordinate a value; say under \"at\" where each coordinate is";
                         context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message)
                     }
                     false => match known {

@@ -15,7 +15,7 @@ use crate::check::sample::setting::FEWEST;
 use crate::check::state::counterexample::counterexample;
 use crate::check::state::residual::Point;
 use crate::check::verdict::Verdict;
-use crate::check::verdict::finding::{Finding, WOULD_HOLD};
+use crate::check::verdict::finding::Finding;
 
 /// The finding on a claim: a failure first, then sides that are not both defined, then too little evidence.
 pub(crate) fn conclude(
@@ -37,7 +37,7 @@ pub(crate) fn conclude(
         finding.max_residual = Some(failure.residual);
         finding.counterexample = Some(counterexample(link, &ensemble.states[*at], failure));
         if let Some(mutant) = context.options.explain.then(|| surviving_mutant(states, context.model)).flatten() {
-            finding.message.push_str(&format!("{WOULD_HOLD}{}", mutant.change));
+            finding.would_hold_with(&mutant.change);
         }
         return finding;
     }
@@ -57,7 +57,7 @@ pub(crate) fn conclude(
     }
     if outcome.points < FEWEST.min(context.options.points) {
         let advice = match [&link.lhs, &link.rhs].iter().any(|side| has_quadrature(side, context.model)) {
-            true => "at the others the quadrature of an integral does not converge, which may have no finite value",
+            true => "at the others an integral could not be computed, which may have no finite value",
             false => "narrow the ranges (for example, assume v < c)",
         };
         let message = format!("only {} of {} sampled states gave a number; {advice}", outcome.points, ensemble.tried);

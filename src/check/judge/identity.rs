@@ -2,6 +2,7 @@
 
 use crate::Result;
 use crate::code::Code;
+use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, Relation, text};
 use crate::scalar::RunningError;
 
@@ -17,6 +18,7 @@ use crate::check::sample::context::Context;
 use crate::check::sample::enclosed;
 use crate::check::sample::enclosed::Decision;
 use crate::check::sample::ensemble::Ensemble;
+use crate::check::sample::outcome::Outcome;
 use crate::check::sample::setting::FEWEST;
 use crate::check::search::{
     boundary, branch_points, branches, double_range, family_sizes, magnitudes, proof, worst_state,
@@ -81,8 +83,9 @@ fn to_all_digits(link: &Link, ensemble: &Ensemble<'_>, finding: Finding) -> Find
         match decide(link, state, &ensemble.projection) {
             Decision::Differ(failure) if enclosed::is_beyond_doubles(&failure) => {
                 let by = failure.residual.log10().floor();
-                let message =
-                    format!("the two sides differ, by about 10^{by} of their size; look at the digits of its numbers");
+                let message = format!(
+                    "the two sides differ by about 10^{by} of their size; check the digits of the printed numbers"
+                );
                 return Finding {
                     max_residual: Some(failure.residual),
                     counterexample: Some(counterexample(link, state, &failure)),
@@ -91,8 +94,8 @@ fn to_all_digits(link: &Link, ensemble: &Ensemble<'_>, finding: Finding) -> Find
             }
             // At this state the most digits were tried.
             Decision::Absorbed if at == 0 => {
-                let message = "a term is too small beside another one to be seen, so that the two sides agree to hundreds of \
-                               digits whether they are equal or not; choose smaller numbers or ranges";
+                let message = "one term is so small beside another that the two sides agree to hundreds of \
+                               digits, whether they are equal or not; choose smaller numbers or ranges";
                 return finding.replaced(Code::WithinRounding, Verdict::Undecided, message.to_owned());
             }
             Decision::Agree | Decision::Absorbed => {}
@@ -159,21 +162,7 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     }
     let forced = forced_value::of_claim(link, context, &ensemble);
     if !is_equality(link.relation) {
-        let special = context.special(mode)?;
-        ensemble.tried += special.tried;
-        // Off shell the boundary of a formula of drawn numbers has been tested already.
-        let plain = |expr: &Expr| context.model.is_plain(expr) && derivatives(expr, context.model) == 0;
-        if !on_shell || !plain(&link.lhs) || !plain(&link.rhs) {
-            let own: Vec<_> = boundary::of_link(link).into_iter().collect();
-            let of_claim = own.len();
-            let all: Vec<_> =
-                own.into_iter().chain(context.hypotheses.iter().filter_map(boundary::of_hypothesis)).collect();
-            let edges = boundary::states((&all, of_claim), context, &ensemble, &special)?;
-            ensemble.tried += edges.len();
-            ensemble.states.extend(edges);
-        }
-        ensemble.states.extend(special.states);
-        double_range::without_rounded_equalities(link, context, &mut ensemble);
+        add_special_states(link, context, on_shell, &mut ensemble)?;
     }
     double_range::within_doubles(link, context, &mut ensemble)?;
     let fails = |state: &SampledState<'_, RunningError>| matches!(residual::test(link, state), Ok(Point::Fails(_)));
@@ -181,18 +170,7 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     if !ensemble.states.iter().any(fails) {
         ensemble.states.extend(branches::states(context, &ensemble).into_iter().filter(fails));
     }
-    let mut tested = AtStates::new(link, &ensemble.states).run(&ensemble.projection);
-    if tested.as_ref().is_ok_and(|outcome| outcome.one_sided.is_some()) {
-        if ensemble.states.iter().filter(|state| residual::has_its_names(link, state)).count() < FEWEST {
-            // Where names seldom have a value, such as roots of a condition that the prose states, more states are drawn.
-            let more = context.ensemble(mode, false, MORE * context.options.points)?;
-            ensemble.tried += more.tried;
-            ensemble.states.extend(more.states.into_iter().filter(|state| residual::has_its_names(link, state)));
-        }
-        if where_names_exist(link, &mut ensemble) {
-            tested = AtStates::new(link, &ensemble.states).run(&ensemble.projection);
-        }
-    }
+    let tested = tested_where_defined(link, context, &mut ensemble)?;
     let states = AtStates::new(link, &ensemble.states);
     let outcome = match tested {
         Ok(outcome) => outcome,
@@ -220,14 +198,83 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
         return Ok((finding, next));
     }
     if !is_equality(link.relation) {
-        let finding = Finding {
-            not_certified_because: Some("an inequality, which has no meaning modulo a prime".to_owned()),
-            ..finding
-        };
-        let finding = family_sizes::at_other_sizes(link, context, mode, finding)?;
-        let finding = worst_state::at_worst_state(link, context, &ensemble, finding);
-        return Ok((proof::by_subdivision(link, context, &ensemble, finding), next));
+        return Ok((inequality_that_holds(link, context, &ensemble, finding)?, next));
     }
+    drop(states);
+    equality_that_holds(link, context, ensemble, finding)
+}
+
+/// Adds states at which an inequality is likely to fail: special ones, and those at its boundary.
+fn add_special_states<'m>(
+    link: &Link,
+    context: &Context<'m>,
+    on_shell: bool,
+    ensemble: &mut Ensemble<'m>,
+) -> Result<()> {
+    let special = context.special(ensemble.mode)?;
+    ensemble.tried += special.tried;
+    // Off shell the boundary of a formula of drawn numbers has been tested already.
+    let plain = |expr: &Expr| context.model.is_plain(expr) && derivatives(expr, context.model) == 0;
+    if !on_shell || !plain(&link.lhs) || !plain(&link.rhs) {
+        let own: Vec<_> = boundary::of_link(link).into_iter().collect();
+        let of_claim = own.len();
+        let all: Vec<_> =
+            own.into_iter().chain(context.hypotheses.iter().filter_map(boundary::of_hypothesis)).collect();
+        let edges = boundary::states((&all, of_claim), context, ensemble, &special)?;
+        ensemble.tried += edges.len();
+        ensemble.states.extend(edges);
+    }
+    ensemble.states.extend(special.states);
+    double_range::without_rounded_equalities(link, context, ensemble);
+    Ok(())
+}
+
+/// The outcome of a claim at the states. Where only one side has a value at some of them, those remain at which all of its names
+/// have one.
+fn tested_where_defined<'m>(
+    link: &Link,
+    context: &Context<'m>,
+    ensemble: &mut Ensemble<'m>,
+) -> Result<std::result::Result<Outcome, Unavailable>> {
+    let tested = AtStates::new(link, &ensemble.states).run(&ensemble.projection);
+    if !tested.as_ref().is_ok_and(|outcome| outcome.one_sided.is_some()) {
+        return Ok(tested);
+    }
+    if ensemble.states.iter().filter(|state| residual::has_its_names(link, state)).count() < FEWEST {
+        // Where names seldom have a value, such as roots of a condition that the prose states, more states are drawn.
+        let more = context.ensemble(ensemble.mode, false, MORE * context.options.points)?;
+        ensemble.tried += more.tried;
+        ensemble.states.extend(more.states.into_iter().filter(|state| residual::has_its_names(link, state)));
+    }
+    Ok(match where_names_exist(link, ensemble) {
+        true => AtStates::new(link, &ensemble.states).run(&ensemble.projection),
+        false => tested,
+    })
+}
+
+/// The finding on an inequality that holds at the states, after a search for one at which it fails.
+fn inequality_that_holds(
+    link: &Link,
+    context: &Context<'_>,
+    ensemble: &Ensemble<'_>,
+    finding: Finding,
+) -> Result<Finding> {
+    let reason = "an inequality, which has no meaning modulo a prime".to_owned();
+    let finding = Finding { not_certified_because: Some(reason), ..finding };
+    let finding = family_sizes::at_other_sizes(link, context, ensemble.mode, finding)?;
+    let finding = worst_state::at_worst_state(link, context, ensemble, finding);
+    Ok(proof::by_subdivision(link, context, ensemble, finding))
+}
+
+/// The finding on an equality that holds at the states: whether it says something, whether its mutants fail, and whether it holds
+/// exactly, at other magnitudes, and on the other side of its branch points.
+fn equality_that_holds(
+    link: &Link,
+    context: &Context<'_>,
+    mut ensemble: Ensemble<'_>,
+    finding: Finding,
+) -> Result<(Finding, Next)> {
+    let on_shell = ensemble.mode.on_shell;
     let withheld =
         |code, message: String| Ok((finding.clone().replaced(code, Verdict::Undecided, message), Next::Settled));
     if let Some(term) = negligible_terms::of_claim(link, &ensemble.states) {
@@ -251,6 +298,7 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     if let Vacuity::Vacuous(code, reason) = vacuity {
         return withheld(code, reason.to_owned());
     }
+    let states = AtStates::new(link, &ensemble.states);
     let mut finding = tested_against_mutants(&states, context, ensemble.mode, finding)?;
     if finding.verdict == Verdict::Verified {
         if on_shell && let Some(combination) = premises::combination(link, context)? {

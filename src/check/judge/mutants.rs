@@ -15,7 +15,7 @@
 
 use std::cell::Cell;
 
-use crate::formula::tree::{ComplexPart, Function, Index, Sign};
+use crate::formula::tree::{ComplexPart, Function, Index, Sign, Term};
 use crate::formula::{Expr, Kind, Node, SymbolId, text};
 
 use crate::check::model::Model;
@@ -111,6 +111,9 @@ fn instead(new: &str, old: &str) -> String {
     format!("“{new}” in place of “{old}”")
 }
 
+/// The root of a formula with one mistake, the kind of mistake, and the change in words.
+type Changed = (Node, Slip, String);
+
 /// A generator of formulas with one mistake.
 struct Slips<'a> {
     model: &'a Model,
@@ -178,46 +181,10 @@ impl Slips<'_> {
     /// The copies of a formula with one mistake at its root.
     fn here(&self, expr: &Expr) -> Vec<(Expr, Slip, String)> {
         let span = expr.span;
-        let mut slips: Vec<(Node, Slip, String)> = Vec::new();
+        let mut slips: Vec<Changed> = Vec::new();
         match &expr.node {
-            Node::Sum(terms) => {
-                for (at, term) in terms.iter().enumerate() {
-                    if !self.is_wanted() {
-                        continue;
-                    }
-                    let words = self.words(&term.expr);
-                    let mut flipped = terms.clone();
-                    flipped[at].sign = term.sign.flipped();
-                    let (new, old) = if term.sign == Sign::Plus { ("−", "+") } else { ("+", "−") };
-                    let change = instead(&format!("{new} {words}"), &format!("{old} {words}"));
-                    slips.push((Node::Sum(flipped), Slip::Sign, change));
-                    if terms.len() > 1 {
-                        let mut fewer = terms.clone();
-                        fewer.remove(at);
-                        slips.push((Node::Sum(fewer), Slip::Omission, format!("“{words}” left out")));
-                    }
-                }
-            }
-            Node::Product(factors) => {
-                for at in 0..factors.len() {
-                    if !self.is_wanted() {
-                        continue;
-                    }
-                    let mut fewer = factors.clone();
-                    let gone = fewer.remove(at);
-                    let rest = if fewer.len() == 1 { fewer.remove(0).node } else { Node::Product(fewer) };
-                    slips.push((rest, Slip::Omission, format!("the factor “{}” left out", self.words(&gone))));
-                }
-                for at in 1..factors.len() {
-                    // The order matters for matrices only.
-                    if [at - 1, at].iter().all(|k| self.is_matrix(&factors[*k])) {
-                        let mut swapped = factors.clone();
-                        swapped.swap(at - 1, at);
-                        let words = self.words(&factors[at]);
-                        slips.push((Node::Product(swapped), Slip::Order, format!("“{words}” one place earlier")));
-                    }
-                }
-            }
+            Node::Sum(terms) => self.sum_slips(terms, &mut slips),
+            Node::Product(factors) => self.product_slips(factors, &mut slips),
             Node::Number(digits) => {
                 if let Some(n) = digits.parse::<f64>().ok().filter(|n| *n != 0.0) {
                     let double = (2.0 * n).to_string();
@@ -225,29 +192,8 @@ impl Slips<'_> {
                     slips.push((Node::Number(double), Slip::Number, change));
                 }
             }
-            Node::Power(base, exponent) => {
-                if let Some(n) = exponent.as_digits().and_then(|n| n.parse::<u32>().ok()) {
-                    let higher = Box::new(Expr::integer(n + 1, exponent.span));
-                    let higher = Expr::new(Node::Power(base.clone(), higher), span);
-                    let words = self.words(expr);
-                    let change = instead(&self.words(&higher), &words);
-                    slips.push((higher.node, Slip::Power, change));
-                    slips.push((base.node.clone(), Slip::Power, instead(&self.words(base), &words)));
-                }
-            }
-            Node::Call(function, argument) => {
-                let other = match function {
-                    Function::Sin => Some(Function::Cos),
-                    Function::Cos => Some(Function::Sin),
-                    Function::Tan => Some(Function::Cot),
-                    _ => None,
-                };
-                if let Some(other) = other {
-                    let other = Expr::new(Node::Call(other, argument.clone()), span);
-                    let change = instead(&self.words(&other), &self.words(expr));
-                    slips.push((other.node, Slip::Function, change));
-                }
-            }
+            Node::Power(base, exponent) => self.power_slips(expr, base, exponent, &mut slips),
+            Node::Call(function, argument) => self.function_slips(expr, *function, argument, &mut slips),
             Node::Symbol { id, indices, dots } => self.symbol_slips(*id, indices, *dots, &mut slips),
             Node::Apply(id, arguments) => {
                 for other in self.present.iter().filter(|other| self.alike(**other, *id)) {
@@ -268,18 +214,7 @@ impl Slips<'_> {
             Node::Cross(a, b) => {
                 slips.push((Node::Cross(b.clone(), a.clone()), Slip::Order, format!("“{}” swapped", self.words(expr))));
             }
-            Node::Matrix(rows) => {
-                for (i, row) in rows.iter().enumerate() {
-                    for (j, entry) in row.iter().enumerate().filter(|(_, entry)| !entry.is_zero()) {
-                        let mut changed = rows.clone();
-                        changed[i][j] = entry.clone().negated();
-                        let words = self.words(entry);
-                        let change = instead(&format!("−({words})"), &words);
-                        let change = format!("{change} in row {}, column {}", i + 1, j + 1);
-                        slips.push((Node::Matrix(changed), Slip::Sign, change));
-                    }
-                }
-            }
+            Node::Matrix(rows) => self.entry_slips(rows, &mut slips),
             Node::Commutator(a, b) => {
                 let change = format!("“{}” swapped", self.words(expr));
                 slips.push((Node::Commutator(b.clone(), a.clone()), Slip::Order, change));
@@ -341,7 +276,90 @@ impl Slips<'_> {
         slips.into_iter().map(|(node, slip, change)| (Expr::new(node, span), slip, change)).collect()
     }
 
-    fn symbol_slips(&self, id: SymbolId, indices: &[Index], dots: u8, slips: &mut Vec<(Node, Slip, String)>) {
+    /// A term with the other sign, or left out.
+    fn sum_slips(&self, terms: &[Term], slips: &mut Vec<Changed>) {
+        for (at, term) in terms.iter().enumerate() {
+            if !self.is_wanted() {
+                continue;
+            }
+            let words = self.words(&term.expr);
+            let mut flipped = terms.to_vec();
+            flipped[at].sign = term.sign.flipped();
+            let (new, old) = if term.sign == Sign::Plus { ("−", "+") } else { ("+", "−") };
+            let change = instead(&format!("{new} {words}"), &format!("{old} {words}"));
+            slips.push((Node::Sum(flipped), Slip::Sign, change));
+            if terms.len() > 1 {
+                let mut fewer = terms.to_vec();
+                fewer.remove(at);
+                slips.push((Node::Sum(fewer), Slip::Omission, format!("“{words}” left out")));
+            }
+        }
+    }
+
+    /// A factor left out, or two matrices exchanged.
+    fn product_slips(&self, factors: &[Expr], slips: &mut Vec<Changed>) {
+        for at in 0..factors.len() {
+            if !self.is_wanted() {
+                continue;
+            }
+            let mut fewer = factors.to_vec();
+            let gone = fewer.remove(at);
+            let rest = if fewer.len() == 1 { fewer.remove(0).node } else { Node::Product(fewer) };
+            slips.push((rest, Slip::Omission, format!("the factor “{}” left out", self.words(&gone))));
+        }
+        for at in 1..factors.len() {
+            // The order matters for matrices only.
+            if [at - 1, at].iter().all(|k| self.is_matrix(&factors[*k])) {
+                let mut swapped = factors.to_vec();
+                swapped.swap(at - 1, at);
+                let words = self.words(&factors[at]);
+                slips.push((Node::Product(swapped), Slip::Order, format!("“{words}” one place earlier")));
+            }
+        }
+    }
+
+    /// Another power, or none.
+    fn power_slips(&self, expr: &Expr, base: &Expr, exponent: &Expr, slips: &mut Vec<Changed>) {
+        if let Some(n) = exponent.as_digits().and_then(|n| n.parse::<u32>().ok()) {
+            let higher = Box::new(Expr::integer(n + 1, exponent.span));
+            let higher = Expr::new(Node::Power(Box::new(base.clone()), higher), expr.span);
+            let words = self.words(expr);
+            let change = instead(&self.words(&higher), &words);
+            slips.push((higher.node, Slip::Power, change));
+            slips.push((base.node.clone(), Slip::Power, instead(&self.words(base), &words)));
+        }
+    }
+
+    /// A cosine for a sine, and the like.
+    fn function_slips(&self, expr: &Expr, function: Function, argument: &Expr, slips: &mut Vec<Changed>) {
+        let other = match function {
+            Function::Sin => Some(Function::Cos),
+            Function::Cos => Some(Function::Sin),
+            Function::Tan => Some(Function::Cot),
+            _ => None,
+        };
+        if let Some(other) = other {
+            let other = Expr::new(Node::Call(other, Box::new(argument.clone())), expr.span);
+            let change = instead(&self.words(&other), &self.words(expr));
+            slips.push((other.node, Slip::Function, change));
+        }
+    }
+
+    /// An entry of a matrix with the other sign.
+    fn entry_slips(&self, rows: &[Vec<Expr>], slips: &mut Vec<Changed>) {
+        for (i, row) in rows.iter().enumerate() {
+            for (j, entry) in row.iter().enumerate().filter(|(_, entry)| !entry.is_zero()) {
+                let mut changed = rows.to_vec();
+                changed[i][j] = entry.clone().negated();
+                let words = self.words(entry);
+                let change = instead(&format!("−({words})"), &words);
+                let change = format!("{change} in row {}, column {}", i + 1, j + 1);
+                slips.push((Node::Matrix(changed), Slip::Sign, change));
+            }
+        }
+    }
+
+    fn symbol_slips(&self, id: SymbolId, indices: &[Index], dots: u8, slips: &mut Vec<Changed>) {
         let entry = self.model.symbols.entry(id);
         let symbol = |id, indices: &[Index], dots| Node::Symbol { id, indices: indices.to_vec(), dots };
         let name = text::with_dots(&entry.name.to_string(), dots);

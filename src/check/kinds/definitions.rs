@@ -67,104 +67,19 @@ pub fn check(
     let name = text::plain(&context.model.name(symbol));
     let is_unused = users.is_empty() && by_law.is_empty();
     if is_unused && others.iter().map(|other| other.holding()).collect::<Result<Vec<_>>>()?.iter().all(Vec::is_empty) {
-        return Ok(context.finding(
-            Code::DefinitionUnused,
-            Verdict::Undecided,
-            format!("defines {name}; no other equation uses {name}, so this definition was not tested"),
-        ));
+        let message = format!("defines {name}; no other equation uses {name}, so this definition was not tested");
+        return Ok(context.finding(Code::DefinitionUnused, Verdict::Undecided, message).defining(&name));
     }
     if zero::is_always_zero(formula, context)? {
-        return Ok(context.finding(
-            Code::DefinitionZero,
-            Verdict::Undecided,
-            format!("defines {name}, which is always 0 as printed; correct the definition"),
-        ));
+        let message = format!("defines {name}, which is always 0 as printed; correct the definition");
+        return Ok(context.finding(Code::DefinitionZero, Verdict::Undecided, message));
     }
-    let itself = Expr::new(Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, formula.span);
-    let definition = Link { lhs: itself, relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
-    let mut surviving: Vec<(Expr, String)> = mutants_of(&definition, context.model)
-        .into_iter()
-        .filter(|mutant| mutant.link.rhs != *formula)
-        .map(|mutant| (mutant.link.rhs, mutant.change))
-        .collect();
-    let mut names: Vec<String> = Vec::new();
-    let mut points = 0;
-    for user in users.iter_mut() {
-        // All mutants are detected.
-        if surviving.is_empty() && !names.is_empty() {
-            break;
-        }
-        // The mode in which the equation holds is used: always, or else on shell.
-        for on_shell in [false, true] {
-            let mode = user.context.mode(on_shell, &[&user.link.lhs, &user.link.rhs, formula]);
-            let mut ensemble = user.context.ensemble(mode, false, context.options.points)?;
-            let holds = |states: &[SampledState<'_, RunningError>]| {
-                run(&user.link, states).is_ok_and(|o| o.failure.is_none() && o.points > 0)
-            };
-            if !holds(&ensemble.states) {
-                other_branches::on_its_branch(&user.link, context.model, &mut ensemble);
-                if !holds(&ensemble.states) {
-                    continue;
-                }
-            }
-            points = points.max(ensemble.states.len());
-            surviving.retain(|(mutant, _)| {
-                !ensemble.states.iter_mut().any(|state| {
-                    let Ok(value) = evaluate(mutant, state, &[]) else { return true };
-                    state.replace(symbol, value);
-                    let found = residual::test(&user.link, state);
-                    state.set_only(&[]);
-                    !matches!(found, Ok(Point::Holds(_) | Point::Doubtful | Point::Useless))
-                })
-            });
-            if !names.contains(&user.id) {
-                names.push(user.id.clone());
-            }
-            break;
-        }
-    }
-    for user in by_law {
-        if surviving.is_empty() || !holds_by_law(user, context.model)? {
-            continue;
-        }
-        let before = surviving.len();
-        surviving.retain(|(mutant, _)| !breaks_by_law(user, symbol, mutant));
-        if surviving.len() < before && !names.contains(&user.id) {
-            names.push(user.id.clone());
-        }
-    }
-    // These take many states, so they are asked only about what nothing else detects.
-    for other in others {
-        if !surviving.is_empty() {
-            names.extend(other.holding()?.into_iter().filter(|id| !names.contains(id)).collect::<Vec<_>>());
-            surviving.retain(|(mutant, _)| !other.detect(mutant));
-        }
-    }
-    // An equivalent mutant makes nothing fail, and one without a value, such as √(2 − √4) beside its rates, cannot be tried.
-    let mode = context.mode(false, &[formula]);
-    let states = context.ensemble(mode, true, context.options.points)?;
-    surviving.retain(|(mutant, _)| {
-        let link = Link { lhs: mutant.clone(), relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
-        !run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0)
-    });
-    // The sign of the whole is often a convention, such as that of a root that is only used squared.
-    let whole = formula.clone().negated();
-    let signed = surviving.len();
-    surviving.retain(|(mutant, _)| {
-        let link = Link { lhs: mutant.clone(), relation: Relation::Equal, rhs: whole.clone(), free: Vec::new() };
-        *mutant != whole
-            && !run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
-    });
-    let mut except: Vec<&str> = if surviving.len() < signed { vec!["its sign"] } else { Vec::new() };
-    // So is the size of a normal coordinate: linear equations of motion are the same for its double, and for its rate.
-    if !names.is_empty() && combines_what_varies(formula, context.model) {
-        let sized = surviving.len();
-        surviving.retain(|(mutant, _)| !is_a_multiple(mutant, formula, &states.states));
-        except.extend((surviving.len() < sized).then_some("its factor"));
-        let moved = surviving.len();
-        surviving.retain(|(mutant, _)| *mutant != with_rates(formula, context.model));
-        except.extend((surviving.len() < moved).then_some("a dot more on its coordinates"));
-    }
+    let mut tested = Tested::of(symbol, formula, context.model);
+    tested.by_users(users, context)?;
+    tested.by_laws(by_law, context.model)?;
+    tested.by_others(others)?;
+    let except = tested.leave_out_what_nothing_detects(context)?;
+    let Tested { surviving, names, points, .. } = tested;
     let (code, except) = match except.is_empty() {
         true => (Code::Definition, String::new()),
         false => (Code::DefinitionUpToSign, format!(" except for {}", except.join(" and "))),
@@ -172,18 +87,139 @@ pub fn check(
     match surviving.first() {
         _ if names.is_empty() => {
             let message = format!("defines {name}; no passing equation uses {name}, so this definition was not tested");
-            Ok(context.finding(Code::DefinitionUsersFail, Verdict::Undecided, message))
+            Ok(context.finding(Code::DefinitionUsersFail, Verdict::Undecided, message).defining(&name))
         }
         Some((_, change)) => {
             let message = format!(
                 "defines {name}, but no other equation would fail with {change}; use {name} once more, or put it under `define`"
             );
-            Ok(context.finding(Code::DefinitionNotTested, Verdict::Undecided, message))
+            Ok(context.finding(Code::DefinitionNotTested, Verdict::Undecided, message).defining(&name))
         }
         None => {
             let message = format!("defines {name}; each change{except} makes {} fail", names.join(" or "));
             Ok(Finding { points, tried: points, ..context.finding(code, Verdict::Definition, message) })
         }
+    }
+}
+
+/// A definition, and which of its mutants make another equation fail.
+struct Tested<'f> {
+    symbol: SymbolId,
+    formula: &'f Expr,
+    /// The mutants that nothing has detected, each with its change in words.
+    surviving: Vec<(Expr, String)>,
+    /// The names of the equations that hold, and so test the definition.
+    names: Vec<String>,
+    /// The largest number of states at which an equation was tried.
+    points: usize,
+}
+
+impl<'f> Tested<'f> {
+    fn of(symbol: SymbolId, formula: &'f Expr, model: &Model) -> Self {
+        let itself = Expr::new(Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, formula.span);
+        let definition = Link { lhs: itself, relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
+        let mutants = mutants_of(&definition, model).into_iter().filter(|mutant| mutant.link.rhs != *formula);
+        let surviving = mutants.map(|mutant| (mutant.link.rhs, mutant.change)).collect();
+        Tested { symbol, formula, surviving, names: Vec::new(), points: 0 }
+    }
+
+    /// Removes the mutants with which an equation that contains the symbol fails.
+    fn by_users(&mut self, users: &mut [User<'_>], context: &Context<'_>) -> Result<()> {
+        for user in users.iter_mut() {
+            // All mutants are detected.
+            if self.surviving.is_empty() && !self.names.is_empty() {
+                break;
+            }
+            // The mode in which the equation holds is used: always, or else on shell.
+            for on_shell in [false, true] {
+                let mode = user.context.mode(on_shell, &[&user.link.lhs, &user.link.rhs, self.formula]);
+                let mut ensemble = user.context.ensemble(mode, false, context.options.points)?;
+                let holds = |states: &[SampledState<'_, RunningError>]| {
+                    run(&user.link, states).is_ok_and(|o| o.failure.is_none() && o.points > 0)
+                };
+                if !holds(&ensemble.states) {
+                    other_branches::on_its_branch(&user.link, context.model, &mut ensemble);
+                    if !holds(&ensemble.states) {
+                        continue;
+                    }
+                }
+                self.points = self.points.max(ensemble.states.len());
+                self.surviving.retain(|(mutant, _)| {
+                    !ensemble.states.iter_mut().any(|state| {
+                        let Ok(value) = evaluate(mutant, state, &[]) else { return true };
+                        state.replace(self.symbol, value);
+                        let found = residual::test(&user.link, state);
+                        state.set_only(&[]);
+                        !matches!(found, Ok(Point::Holds(_) | Point::Doubtful | Point::Useless))
+                    })
+                });
+                if !self.names.contains(&user.id) {
+                    self.names.push(user.id.clone());
+                }
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Removes the mutants with which an equation that holds by a law fails.
+    fn by_laws(&mut self, by_law: &[User<'_>], model: &Model) -> Result<()> {
+        for user in by_law {
+            if self.surviving.is_empty() || !holds_by_law(user, model)? {
+                continue;
+            }
+            let before = self.surviving.len();
+            self.surviving.retain(|(mutant, _)| !breaks_by_law(user, self.symbol, mutant));
+            if self.surviving.len() < before && !self.names.contains(&user.id) {
+                self.names.push(user.id.clone());
+            }
+        }
+        Ok(())
+    }
+
+    /// Removes the mutants that statements with ≈, or displays judged as a whole, detect.
+    fn by_others(&mut self, others: &[&dyn Approximations]) -> Result<()> {
+        // These take many states, so they are asked only about what nothing else detects.
+        for other in others {
+            if !self.surviving.is_empty() {
+                self.names
+                    .extend(other.holding()?.into_iter().filter(|id| !self.names.contains(id)).collect::<Vec<_>>());
+                self.surviving.retain(|(mutant, _)| !other.detect(mutant));
+            }
+        }
+        Ok(())
+    }
+
+    /// Removes the mutants that no equation can be expected to detect: those as true as the definition, and those of a convention,
+    /// such as a sign. Names the conventions.
+    fn leave_out_what_nothing_detects(&mut self, context: &Context<'_>) -> Result<Vec<&'static str>> {
+        let formula = self.formula;
+        // An equivalent mutant makes nothing fail, and one without a value, such as √(2 − √4) beside its rates, cannot be tried.
+        let mode = context.mode(false, &[formula]);
+        let states = context.ensemble(mode, true, context.options.points)?;
+        self.surviving.retain(|(mutant, _)| {
+            let link = Link { lhs: mutant.clone(), relation: Relation::Equal, rhs: formula.clone(), free: Vec::new() };
+            !run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0)
+        });
+        // The sign of the whole is often a convention, such as that of a root that is only used squared.
+        let whole = formula.clone().negated();
+        let signed = self.surviving.len();
+        self.surviving.retain(|(mutant, _)| {
+            let link = Link { lhs: mutant.clone(), relation: Relation::Equal, rhs: whole.clone(), free: Vec::new() };
+            *mutant != whole
+                && !run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
+        });
+        let mut except: Vec<&'static str> = if self.surviving.len() < signed { vec!["its sign"] } else { Vec::new() };
+        // So is the size of a normal coordinate: linear equations of motion are the same for its double, and for its rate.
+        if !self.names.is_empty() && combines_what_varies(formula, context.model) {
+            let sized = self.surviving.len();
+            self.surviving.retain(|(mutant, _)| !is_a_multiple(mutant, formula, &states.states));
+            except.extend((self.surviving.len() < sized).then_some("its factor"));
+            let moved = self.surviving.len();
+            self.surviving.retain(|(mutant, _)| *mutant != with_rates(formula, context.model));
+            except.extend((self.surviving.len() < moved).then_some("a dot more on its coordinates"));
+        }
+        Ok(except)
     }
 }
 

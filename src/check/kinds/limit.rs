@@ -447,7 +447,7 @@ impl<'a> Steps<'a> {
         for k in steps {
             let Some(state) = self.state(k, side) else { continue };
             let (Value::Scalar(a), Value::Scalar(b)) = (state.now(&link.lhs, &[])?, state.now(&link.rhs, &[])?) else {
-                return Err(Unavailable::Operation("a limit of something that is no number"));
+                return Err(Unavailable::Operation("a limit of something that is not a number"));
             };
             if !a.value.is_finite() || !b.value.is_finite() {
                 continue;

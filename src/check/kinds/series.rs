@@ -71,8 +71,8 @@ pub(crate) fn of(link: &Link, is_inferred: bool, model: &Model) -> Read {
     match found {
         Some((small, order)) => Read::Series(Series { link: cut, small, order }),
         None => Read::Unclear(
-            "no symbol has a power that grows from each printed term to the next, so nothing says to which order the terms \
-             that are left out are small"
+            "terms are left out here, and their order is unknown, because no symbol has a power that grows from each \
+             printed term to the next; say under \"small\" in the claims file which quantity is small"
                 .to_owned(),
         ),
     }
@@ -86,7 +86,7 @@ impl Series {
     pub fn check(&self, context: &Context<'_>) -> Result<Finding> {
         let found = small::check(&self.link, &self.small_names(), self.order, context)?;
         let name = text::plain(&context.model.name(self.small));
-        let message = format!("{}; taken to be small: {name}", found.message);
+        let message = format!("{}; {name} is taken to be small", found.message);
         Ok(Finding { message, ..found })
     }
 

@@ -89,51 +89,16 @@ fn judged(
         if points == context.options.points {
             break;
         }
-        let state = &mut ensemble.states[at];
-        let mut roots = Vec::new();
-        for branch in branches {
-            match state.now(branch, &[]) {
-                Ok(Value::Scalar(root)) if root.value.is_finite() => roots.push(root),
-                Ok(_) => {}
-                Err(reason) => return Ok(context.unavailable(&reason)),
+        match at_state((target, unknown), (branches, all_of_them), &mut ensemble.states[at], (context, points))? {
+            AtState::Useless => {}
+            AtState::Decided(finding) => return Ok(*finding),
+            AtState::Holds { worst, is_counted } => {
+                residual = residual.max(worst);
+                counted += usize::from(is_counted);
+                points += 1;
+                used.push(at);
             }
         }
-        if roots.len() < branches.len() {
-            continue;
-        }
-        for root in &roots {
-            match substituted(target, unknown, *root, state) {
-                Ok(Point::Holds(found)) => residual = residual.max(found),
-                Ok(Point::Fails(failure)) => {
-                    state.set_only(&[(unknown, Series::constant(*root))]);
-                    return Ok(refuted(target, context, state, &failure, points));
-                }
-                Ok(_) => {}
-                Err(reason) => return Ok(context.unavailable(&reason)),
-            }
-        }
-        for (i, a) in roots.iter().enumerate() {
-            if roots[..i].iter().any(|b| residual::vanishes(*a - *b)) {
-                return Ok(context.finding(
-                    Code::RepeatedSolution,
-                    Verdict::Refuted,
-                    "two branches are the same solution",
-                ));
-            }
-        }
-        let all = if all_of_them { count_roots(target, unknown, state) } else { roots.len() };
-        if all > roots.len() {
-            let message = format!("the equation has {all} real solutions, but the notes give {}", roots.len());
-            let failure = Failure { lhs: all as f64, rhs: roots.len() as f64, residual: 1.0, entry: None };
-            let counterexample = Some(counterexample(target, state, &failure));
-            return Ok(Finding {
-                counterexample,
-                ..context.finding(Code::MissingSolutions, Verdict::Refuted, message)
-            });
-        }
-        counted += usize::from(all == roots.len());
-        points += 1;
-        used.push(at);
     }
     if points < FEWEST.min(context.options.points) {
         let message =
@@ -168,6 +133,70 @@ fn judged(
         ..context.finding(Code::Holds, Verdict::Verified, message)
     };
     Ok(certify_solutions(target, unknown, branches, all_of_them, context, &ensemble).stamp(finding))
+}
+
+/// What one state says of a claim that branches solve an equation.
+enum AtState {
+    /// Not each branch has a real value there.
+    Useless,
+    /// The finding on the claim.
+    Decided(Box<Finding>),
+    /// Each branch solves the equation.
+    Holds {
+        /// The largest residual.
+        worst: f64,
+        /// Whether as many roots were counted as there are branches.
+        is_counted: bool,
+    },
+}
+
+/// Tests at one state that each branch solves the equation, that no two are the same, and that there is no other root. `points`
+/// states said so before.
+fn at_state(
+    (target, unknown): (&Link, SymbolId),
+    (branches, all_of_them): (&[Expr], bool),
+    state: &mut SampledState<'_, RunningError>,
+    (context, points): (&Context<'_>, usize),
+) -> Result<AtState> {
+    let decided = |finding: Finding| Ok(AtState::Decided(Box::new(finding)));
+    let mut roots = Vec::new();
+    for branch in branches {
+        match state.now(branch, &[]) {
+            Ok(Value::Scalar(root)) if root.value.is_finite() => roots.push(root),
+            Ok(_) => {}
+            Err(reason) => return decided(context.unavailable(&reason)),
+        }
+    }
+    if roots.len() < branches.len() {
+        return Ok(AtState::Useless);
+    }
+    let mut worst = 0.0_f64;
+    for root in &roots {
+        match substituted(target, unknown, *root, state) {
+            Ok(Point::Holds(found)) => worst = worst.max(found),
+            Ok(Point::Fails(failure)) => {
+                state.set_only(&[(unknown, Series::constant(*root))]);
+                return decided(refuted(target, context, state, &failure, points));
+            }
+            Ok(_) => {}
+            Err(reason) => return decided(context.unavailable(&reason)),
+        }
+    }
+    for (i, a) in roots.iter().enumerate() {
+        if roots[..i].iter().any(|b| residual::vanishes(*a - *b)) {
+            let message = "two branches are the same solution";
+            return decided(context.finding(Code::RepeatedSolution, Verdict::Refuted, message));
+        }
+    }
+    let all = if all_of_them { count_roots(target, unknown, state) } else { roots.len() };
+    if all > roots.len() {
+        let message = format!("the equation has {all} real solutions, but the notes give {}", roots.len());
+        let failure = Failure { lhs: all as f64, rhs: roots.len() as f64, residual: 1.0, entry: None };
+        let counterexample = Some(counterexample(target, state, &failure));
+        let finding = context.finding(Code::MissingSolutions, Verdict::Refuted, message);
+        return decided(Finding { counterexample, ..finding });
+    }
+    Ok(AtState::Holds { worst, is_counted: all == roots.len() })
 }
 
 /// The change of a mutant of a branch that solves the equation as well.
@@ -249,7 +278,6 @@ fn count_roots(target: &Link, unknown: SymbolId, state: &mut SampledState<'_, Ru
     roots
 }
 
-/// Whether a symbol occurs in a formula.
 /// Whether a formula contains a rate of a symbol, also in the formulas of its names.
 pub(crate) fn contains_rate(formula: &Expr, id: SymbolId, model: &Model) -> bool {
     let mut found = false;

@@ -1,7 +1,9 @@
 //! A marked hand-in: plain data.
 
+use std::fmt;
 use std::sync::Arc;
 
+use crate::formula::symbols::Name;
 use crate::notes::claims::Lost;
 use crate::source::{Source, Span};
 
@@ -60,6 +62,34 @@ pub struct Slipped {
     pub replacement: Option<String>,
 }
 
+/// What a line is, or why it has its mark.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Because {
+    /// It follows from the problem, and nothing more is to be said.
+    Follows,
+    /// It follows at the instant at which this speed is reached.
+    AtSpeed(Name),
+    /// What this predicate says.
+    Said(String),
+}
+
+impl fmt::Display for Because {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Because::Follows => f.write_str("follows from the problem"),
+            Because::AtSpeed(speed) => write!(f, "follows where the speed is {speed}"),
+            Because::Said(predicate) => f.write_str(predicate),
+        }
+    }
+}
+
+impl<T: Into<String>> From<T> for Because {
+    fn from(predicate: T) -> Self {
+        Because::Said(predicate.into())
+    }
+}
+
 /// A line of a hand-in.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
@@ -82,7 +112,7 @@ pub struct Line {
     /// The line, by its place among the lines, from which a carried line follows.
     pub follows_from: Option<usize>,
     /// What it is, or why it has its mark, without the correction.
-    pub because: String,
+    pub because: Because,
     /// The slip in a wrong line, if it is known.
     pub slip: Option<Slipped>,
     /// Left side minus right side, or the derived equation, as LaTeX.

@@ -89,7 +89,7 @@ impl Problem {
         });
         if let Some(failed) = failed {
             let message = format!(
-                "({}) is a result that is wanted, but in the model solution it is {}",
+                "({}) is one of the wanted results, but in the model solution it is {}",
                 failed.id, verdicts[failed.display]
             );
             return Err(Error::at(&notes.source, notes.equations[failed.display].body, message)
@@ -99,8 +99,10 @@ impl Problem {
         if let Some((result, why)) =
             wanted.iter().filter(|_| is_named).find_map(|wanted| open[wanted.display].as_ref().map(|why| (wanted, why)))
         {
-            let message =
-                format!("({}) is a result that is wanted, but in the model solution it is undecided: {why}", result.id);
+            let message = format!(
+                "({}) is one of the wanted results, but in the model solution it is undecided: {why}",
+                result.id
+            );
             return Err(Error::at(&notes.source, notes.equations[result.display].body, message)
                 .help("check the problem first with `onshell check`, and say what is missing in its claims file"));
         }

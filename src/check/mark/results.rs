@@ -22,9 +22,8 @@ use crate::notes::claims::Range;
 
 use super::carried::numbers::{self, FEWEST, STATES};
 use super::judged::Found;
-use super::marked::{Line, Mark, Slipped};
+use super::marked::{Because, Line, Mark, Slipped};
 use super::problem::{Problem, Wanted};
-use super::special::AT_SPEED;
 use super::status::composed;
 use super::world::World;
 
@@ -46,7 +45,7 @@ pub(super) fn found(
     (premises, corrected): (&[Reading], Option<&[Option<String>]>),
 ) -> Result<Vec<Option<Found>>> {
     let mut all = Vec::new();
-    let is_at_speed: Vec<bool> = lines.iter().map(|line| line.because.starts_with(AT_SPEED)).collect();
+    let is_at_speed: Vec<bool> = lines.iter().map(|line| matches!(line.because, Because::AtSpeed(_))).collect();
     for wanted in &world.problem.wanted {
         let Some(goal) = Goal::of(checker, world, wanted) else {
             all.push(None);

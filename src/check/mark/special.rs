@@ -15,9 +15,6 @@ use crate::check::model::meaning::Meaning;
 
 use super::status::{Status, approximate, status};
 
-/// Why a line holds that holds at the instant of a speed; the speed comes after it.
-pub(super) const AT_SPEED: &str = "follows where the speed is ";
-
 /// The special states of a problem.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Special {

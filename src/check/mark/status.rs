@@ -72,7 +72,7 @@ pub(super) fn stated(reading: &Reading) -> Option<Status> {
     }
     let no_relation = |statement: &Statement| statement.relations.is_empty() && statement.constant.is_none();
     let is_bare = reading.statements.iter().flatten().all(no_relation);
-    is_bare.then_some(Status::Given(Verdict::Unclaimed, "a formula, which states nothing"))
+    is_bare.then_some(Status::Given(Verdict::Unclaimed, "is a formula without a relation, and states nothing"))
 }
 
 fn of_finding(finding: Finding) -> Status {
@@ -86,7 +86,7 @@ fn of_finding(finding: Finding) -> Status {
     };
     match (finding.verdict, finding.code) {
         (_, code) if is_named(code) => Status::Given(Verdict::Definition, "introduces a name"),
-        (Verdict::Law, _) => Status::Given(Verdict::Law, "a law that the problem gives"),
+        (Verdict::Law, _) => Status::Given(Verdict::Law, "is a law that the problem gives"),
         (Verdict::Unreadable, UnitMismatch) | (Verdict::Refuted, _) => Status::False(Box::new(finding)),
         (Verdict::Unreadable, Code::NeedsLimitOrSmall) => Status::Open(Verdict::Undecided, finding.message),
         (Verdict::Unreadable, _) => Status::Unread(finding.message),

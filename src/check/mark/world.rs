@@ -63,6 +63,57 @@ fn related(lines: &[Display], usages: &[Usage]) -> Vec<Name> {
 /// How often the lines are read again with the names that were missing.
 const ROUNDS: usize = 4;
 
+/// A text as a display, which is written at the end of a document.
+fn appended(latex: &str, id: &str, line: usize, text: &mut String) -> Display {
+    let body = Span::new(text.len(), text.len() + latex.len());
+    text.push_str(latex);
+    text.push('\n');
+    Display {
+        span: body,
+        body,
+        parts: vec![body],
+        text: latex.to_owned(),
+        number: Some(Numbered { id: id.to_owned(), span: body }),
+        labels: Vec::new(),
+        automatic: Vec::new(),
+        line,
+    }
+}
+
+/// The definitions of the letters that stand for rates, as displays before the lines.
+fn definitions_of_rates(letters: &Letters, text: &mut String) -> Vec<Display> {
+    let rates = letters.iter().filter(|(_, other)| other.dots > 0);
+    let mut rates: Vec<String> = rates.map(|(own, other)| format!("{own} = {}", other.latex())).collect();
+    rates.sort();
+    rates.into_iter().map(|latex| appended(&latex, &latex, 0, text)).collect()
+}
+
+/// A display of the problem, where its text begins at an offset.
+fn moved(display: &Display, offset: usize) -> Display {
+    let shifted = |numbered: &Numbered| Numbered { id: numbered.id.clone(), span: numbered.span.shifted(offset) };
+    Display {
+        span: display.span.shifted(offset),
+        body: display.body.shifted(offset),
+        parts: display.parts.iter().map(|part| part.shifted(offset)).collect(),
+        number: display.number.as_ref().map(shifted),
+        labels: display.labels.iter().map(shifted).collect(),
+        ..display.clone()
+    }
+}
+
+/// The value at an instant, with the letters of the problem.
+fn in_letters_of_problem(instant: &Instant, macros: &Macros, table: &HashMap<Name, Name>) -> Instant {
+    Instant {
+        name: instant.name.clone(),
+        of: renamed(&instant.of, macros, table).text,
+        when: renamed(&instant.when, macros, table).text,
+        kind: match &instant.kind {
+            Kind::Of(letter) => Kind::Of(renamed(letter, macros, table).text),
+            other => other.clone(),
+        },
+    }
+}
+
 /// A problem and a hand-in as one document.
 pub(super) struct World<'p> {
     pub problem: &'p Problem,
@@ -100,71 +151,23 @@ impl<'p> World<'p> {
         define_macros(&notes.macros, &mut macros);
         foreign_commands().for_each(|(name, body)| macros.define(&name, 0, body));
         let mut text = String::new();
-        let mut lines = Vec::new();
-        let mut displays = Vec::new();
+        let (mut lines, mut displays) = (Vec::new(), Vec::new());
         for line in written {
             let edits: Vec<(Span, String)> =
                 line.edits.iter().map(|(span, new)| (*span, in_letters(new, table))).collect();
             let new = renamed_with(&line.text, &macros, table, &edits);
-            let body = Span::new(text.len(), text.len() + new.text.len());
-            text.push_str(&new.text);
-            text.push('\n');
-            displays.push(Display {
-                span: body,
-                body,
-                parts: vec![body],
-                text: new.text.clone(),
-                number: Some(Numbered { id: line.name.clone(), span: body }),
-                labels: Vec::new(),
-                automatic: Vec::new(),
-                line: line.line,
-            });
-            lines.push((body.start, new));
+            let display = appended(&new.text, &line.name, line.line, &mut text);
+            lines.push((display.body.start, new));
+            displays.push(display);
         }
         let usages = names_of(&displays, &macros);
-        // A rate that has a letter of its own is a definition before the lines.
-        let mut rates: Vec<String> = letters
-            .iter()
-            .filter(|(_, other)| other.dots > 0)
-            .map(|(own, other)| format!("{own} = {}", other.latex()))
-            .collect();
-        rates.sort();
-        let rates: Vec<Display> = rates
-            .into_iter()
-            .map(|latex| {
-                let body = Span::new(text.len(), text.len() + latex.len());
-                text.push_str(&latex);
-                text.push('\n');
-                let number = Some(Numbered { id: latex.clone(), span: body });
-                Display {
-                    span: body,
-                    body,
-                    parts: vec![body],
-                    text: latex,
-                    number,
-                    labels: Vec::new(),
-                    automatic: Vec::new(),
-                    line: 0,
-                }
-            })
-            .collect();
+        let rates = definitions_of_rates(letters, &mut text);
         let offset = text.len();
         text.push_str(&problem.notes.source.text);
-        let moved = |display: &Display| Display {
-            span: display.span.shifted(offset),
-            body: display.body.shifted(offset),
-            parts: display.parts.iter().map(|part| part.shifted(offset)).collect(),
-            number: display.number.clone().map(|n| Numbered { span: n.span.shifted(offset), ..n }),
-            labels: display
-                .labels
-                .iter()
-                .map(|l| Numbered { id: l.id.clone(), span: l.span.shifted(offset) })
-                .collect(),
-            ..display.clone()
-        };
         let mut together = problem.notes.clone();
         together.source = Arc::new(Source::new(notes.source.path.clone(), text));
-        together.equations = problem.notes.equations.iter().map(moved).chain(rates).chain(displays).collect();
+        together.equations =
+            problem.notes.equations.iter().map(|display| moved(display, offset)).chain(rates).chain(displays).collect();
         let foreign = foreign_commands().map(|(name, body)| MacroDefinition {
             name,
             arguments: 0,
@@ -179,15 +182,7 @@ impl<'p> World<'p> {
         together.added_from = Some(problem.notes.equations.len());
         let claims = problem.claims.clone();
         let back = table.iter().map(|(own, other)| (other.clone(), own.clone())).collect();
-        let instants = instants.iter().map(|instant| Instant {
-            name: instant.name.clone(),
-            of: renamed(&instant.of, &macros, table).text,
-            when: renamed(&instant.when, &macros, table).text,
-            kind: match &instant.kind {
-                Kind::Of(letter) => Kind::Of(renamed(letter, &macros, table).text),
-                other => other.clone(),
-            },
-        });
+        let instants = instants.iter().map(|instant| in_letters_of_problem(instant, &macros, table));
         let mut world = World {
             problem,
             written,

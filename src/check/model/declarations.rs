@@ -55,9 +55,10 @@ impl Builder<'_> {
         let id = self.add(latex, Kind::Scalar, Meaning::Constant(self.model.constants.len()))?;
         let range = Range::Integer { low: 3, high: Count::Number(MOST_THINGS.into()) };
         self.model.constants.push(Variable::number(id, range));
-        self.model
-            .inferred
-            .push(format!("{} is a number of members; the sampled states have 3 or {MOST_THINGS}", self.shown(id)));
+        self.model.inferred.push(format!(
+            "{} is the number of members of a family; the sampled states have 3 or {MOST_THINGS}",
+            self.shown(id)
+        ));
         Ok(id)
     }
 
@@ -129,8 +130,11 @@ impl Builder<'_> {
         if !vector && latex.value.contains("\\hat") {
             let vector = latex.value.replacen("\\hat", "\\vec", 1);
             return Err(self
-                .error(latex, format!("{} would be a scalar here, but a hat marks a direction", latex.value))
-                .help(format!("declare {vector}, then {} is its direction; or name it under \"axes\"", latex.value)));
+                .error(
+                    latex,
+                    format!("{} has a hat, which marks a direction, and is declared as a number", latex.value),
+                )
+                .help(format!("declare {vector}, and {} is its direction; or put it under \"axes\"", latex.value)));
         }
         let (meaning, varies) = match declaration.role {
             Role::Coordinate => (Meaning::Coordinate(self.model.coordinates.len()), true),
@@ -164,16 +168,16 @@ impl Builder<'_> {
     fn formula_as_name(&mut self, declaration: &Declaration) -> Result<()> {
         let latex = &declaration.name;
         let items = names::value(&latex.value).ok_or_else(|| {
-            self.error(latex, format!("{} cannot stand for one name", latex.value)).help(
-                "this can be a mean value \\langle E \\rangle, a name with arguments V(\\vec r), a derivative, a sum or an integral",
+            self.error(latex, format!("{} cannot be declared as one name", latex.value)).help(
+                "formulas that can: a mean value \\langle E \\rangle, a name with arguments V(\\vec r), a derivative, a sum or an integral",
             )
         })?;
         if declaration.range.value == Range::Rate {
             return match self.model.macros.values.add_rate(&items) {
                 true => Ok(()),
                 false => Err(self
-                    .error(latex, format!("{} is no differential, so it cannot be a rate", latex.value))
-                    .help("this can be a d before one name, such as dU")),
+                    .error(latex, format!("{} is not a differential, so it cannot be declared as a rate", latex.value))
+                    .help("write a d before one name, such as dU")),
             };
         }
         if declaration.range.value == Range::Given {
@@ -293,7 +297,7 @@ impl Builder<'_> {
                         self.three(latex, id)?;
                     } else {
                         if fixed == 3 {
-                            return Err(self.error(latex, "there are only three fixed axes, and this is a fourth"));
+                            return Err(self.error(latex, "this is a fourth fixed axis, and there are only three"));
                         }
                         self.add(latex, Kind::Vector, Meaning::FixedAxis(fixed))?;
                         fixed += 1;

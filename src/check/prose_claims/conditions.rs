@@ -12,7 +12,7 @@ use crate::notes::claims::{Claim, Declaration, Range, Spanned};
 
 use super::notes_names::NotesNames;
 use super::places::is_value_of;
-use super::words::{RELEASED, REST, Sentence};
+use super::words::{REST, Sentence};
 use super::{ProseClaim, spanned};
 
 /// Words for the begin of a motion beside those for a release, as they begin.
@@ -145,7 +145,7 @@ fn inside(display: &str) -> Vec<String> {
 impl Case {
     /// Adds what formulas among words say.
     fn add(&mut self, names: &NotesNames<'_>, (words, formulas): (&Sentence, &[String])) {
-        let begins = words.says(&RELEASED) || words.says(&FIRST) || words.says_phrase(&["let go"]);
+        let begins = words.says_that_it_starts() || words.says(&FIRST);
         let rests = words.has_word(&REST);
         let mut is_start = false;
         for formula in formulas {
@@ -172,7 +172,7 @@ impl Case {
         }
         if is_start && rests {
             for (declared, _) in names.coordinates() {
-                let at_rest = format!("\\dot{{{}}}(0) = 0", declared.name.value);
+                let at_rest = starts_slowly(&declared.name.value);
                 if !self.assume.contains(&at_rest) {
                     self.assume.push(at_rest);
                 }
@@ -186,10 +186,7 @@ impl Case {
             self.has_value(names, member, value);
             return false;
         };
-        let start = format!("{}(0) = {value}", declared.name.value);
-        // Where it begins, it is at rest, or passes at a right angle.
-        let slow = format!("\\dot{{{}}}(0) = 0", declared.name.value);
-        for condition in [start, slow] {
+        for condition in start_at(&declared.name.value, value) {
             if !self.assume.contains(&condition) {
                 self.assume.push(condition);
             }
@@ -237,8 +234,17 @@ impl Case {
     }
 }
 
+/// The conditions that a motion begins where a coordinate has a value. There it is at rest, or passes at a right angle.
+pub(super) fn start_at(coordinate: &str, value: &str) -> [String; 2] {
+    [format!("{coordinate}(0) = {value}"), starts_slowly(coordinate)]
+}
+
+fn starts_slowly(coordinate: &str) -> String {
+    format!("\\dot{{{coordinate}}}(0) = 0")
+}
+
 /// The coordinate that a text is.
-fn coordinate<'n>(names: &NotesNames<'n>, text: &str) -> Option<&'n Declaration> {
+pub(super) fn coordinate<'n>(names: &NotesNames<'n>, text: &str) -> Option<&'n Declaration> {
     let found = names.coordinates().find(|(one, _): &(&Declaration, Name)| name_search::same(&one.name.value, text));
     found.map(|(one, _)| one)
 }

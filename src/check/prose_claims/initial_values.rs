@@ -3,12 +3,13 @@
 //! A relation with the value of the coordinate there, such as the energy integral \(\\dot\\theta^2 = …(\\cos\\theta - \\cos\\theta_0)\), holds on
 //! this motion and on no other.
 
-use crate::latex::{name_search, names};
+use crate::latex::names;
 use crate::notes::claims::Claim;
 
+use super::conditions::{coordinate, start_at};
 use super::notes_names::NotesNames;
 use super::places::Place;
-use super::words::{RELEASED, REST, Sentence};
+use super::words::{REST, Sentence};
 use super::{ProseClaim, spanned};
 
 /// The claims of the displays with the value of a coordinate from which a motion begins.
@@ -17,7 +18,7 @@ pub(super) fn infer(notes_names: &NotesNames<'_>, places: &[Place]) -> Vec<Prose
     let displays = notes_names.notes.equations.len();
     for at in 0..displays {
         let words = Sentence::paragraph(notes_names.notes, at);
-        if !(words.says(&RELEASED) || words.says_phrase(&["let go"])) || !words.has_word(&REST) {
+        if !words.says_that_it_starts() || !words.has_word(&REST) {
             continue;
         }
         let Some((coordinate, value)) = words.formulas.iter().find_map(|formula| value_of(notes_names, formula)) else {
@@ -26,8 +27,7 @@ pub(super) fn infer(notes_names: &NotesNames<'_>, places: &[Place]) -> Vec<Prose
         if places.iter().any(|place| place.value == value) {
             continue;
         }
-        let assume =
-            vec![spanned(format!("{coordinate}(0) = {value}")), spanned(format!("\\dot{{{coordinate}}}(0) = 0"))];
+        let assume = start_at(&coordinate, &value).map(spanned).to_vec();
         let is_known = |at: usize| found.iter().any(|claim| claim.displays.contains(&at));
         // A solution says itself where it begins.
         let wanted: Vec<usize> = (at..displays)
@@ -52,8 +52,7 @@ pub(super) fn infer(notes_names: &NotesNames<'_>, places: &[Place]) -> Vec<Prose
 fn value_of(notes_names: &NotesNames<'_>, formula: &str) -> Option<(String, String)> {
     let (left, right) = formula.split_once('=')?;
     let (left, right) = (left.trim(), right.trim());
-    let mut coordinates = notes_names.coordinates();
-    let (declared, _) = coordinates.find(|(one, _)| name_search::same(&one.name.value, left))?;
+    let declared = coordinate(notes_names, left)?;
     names::parse(right)?;
     Some((declared.name.value.clone(), right.to_owned()))
 }

@@ -4,7 +4,7 @@ use crate::check::document::inferred::prose::{body_of, sentence_start, words_bet
 use crate::notes::Notes;
 
 /// Words for the begin of a motion, as they begin.
-pub(super) const RELEASED: [&str; 7] = ["releas", "start", "begin", "losgelass", "lâch", "abandonn", "suelta"];
+const RELEASED: [&str; 7] = ["releas", "start", "begin", "losgelass", "lâch", "abandonn", "suelta"];
 
 /// Words for rest.
 pub(super) const REST: [&str; 5] = ["rest", "ruhe", "repos", "reposo", "riposo"];
@@ -89,6 +89,11 @@ impl Sentence {
     /// Whether a word begins with one of these letters.
     pub fn says(&self, stems: &[&str]) -> bool {
         self.words.iter().any(|word| stems.iter().any(|stem| word.starts_with(stem)))
+    }
+
+    /// Whether it says that a motion starts: "is released", "starts", "is let go".
+    pub fn says_that_it_starts(&self) -> bool {
+        self.says(&RELEASED) || self.says_phrase(&["let go"])
     }
 
     /// The places of the words that begin with one of these letters.

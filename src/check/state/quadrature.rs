@@ -256,8 +256,7 @@ impl<B: Number> SampledState<'_, B> {
         let mut values = Vec::new();
         for share in [0.2, 0.1, 0.05] {
             let part = hidden.body(continuum.dimension, share);
-            let cells =
-                part.cells(3).ok_or(Unavailable::Operation("a sum over cells of this body, which has no edges,"))?;
+            let cells = part.cells(3).ok_or(Unavailable::Operation("a sum over the cells of a body without edges"))?;
             let size = cells.total();
             let cells = hidden.set(cells, continuum.dimension, &around).with_density(|x| self.density_at(at, x));
             let particles = Particles::of(&cells, (mass, position), label, |x| self.constant(x));
@@ -287,8 +286,7 @@ impl<B: Number> SampledState<'_, B> {
         let families = continuum.particles.ok_or(Unavailable::Symbol(continuum.region))?;
         let label = self.label_of(families.0)?;
         let body = hidden.body(continuum.dimension, 1.0);
-        let cells =
-            body.cells(k).ok_or(Unavailable::Operation("a sum over cells of this body, which has no edges,"))?;
+        let cells = body.cells(k).ok_or(Unavailable::Operation("a sum over the cells of a body without edges"))?;
         let cells = hidden.set(cells, continuum.dimension, &hidden.middle);
         let cells = cells.with_density(|x| self.density_at(at, x));
         Ok(Particles::of(&cells, families, label, |x| self.constant(x)))

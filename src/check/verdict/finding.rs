@@ -111,12 +111,13 @@ pub struct Finding {
     pub follows_from: Option<Inherited>,
     /// The changes of terms with which a refuted equality holds, if no single edit corrects it.
     pub fit: Option<Fit>,
+    /// The name that is defined, where a definition is not tested.
+    pub(crate) defines: Option<String>,
+    /// The clause of the message that names a mutant which holds.
+    pub(crate) mutant: Option<String>,
     /// The bytes of the notes that the finding is about.
     pub span: Span,
 }
-
-/// The beginning of the clause of a message that names a mutant which holds.
-pub(crate) const WOULD_HOLD: &str = "; it would hold with ";
 
 impl Finding {
     /// Whether it is about a definition that no other display tests, and nothing fails for it.
@@ -129,12 +130,24 @@ impl Finding {
         self.is_untested_definition() || matches!(self.code, Code::DefinitionUsersFail | Code::DefinitionUpToSign)
     }
 
+    /// Adds to the message that the claim would hold with the change of a mutant.
+    pub(crate) fn would_hold_with(&mut self, change: &str) {
+        let clause = format!("; it would hold with {change}");
+        self.message.push_str(&clause);
+        self.mutant = Some(clause);
+    }
+
     /// Takes the mutant that would hold out of the message.
     pub(crate) fn forget_mutant(&mut self) {
-        if let Some((before, clause)) = self.message.split_once(WOULD_HOLD) {
-            let after = clause.find("; ").map_or("", |end| &clause[end..]);
-            self.message = format!("{before}{after}");
+        if let Some(clause) = self.mutant.take() {
+            self.message = self.message.replacen(&clause, "", 1);
         }
+    }
+
+    /// This finding as one about the definition of a name, which is not tested.
+    #[must_use]
+    pub(crate) fn defining(self, name: &str) -> Self {
+        Finding { defines: Some(name.to_owned()), ..self }
     }
 
     /// A finding without evidence.
@@ -154,6 +167,8 @@ impl Finding {
             carried: 0,
             follows_from: None,
             fit: None,
+            defines: None,
+            mutant: None,
             span,
         }
     }

@@ -43,7 +43,7 @@ type Integrand<'f, D> = &'f mut dyn FnMut(D) -> Result<D, Unavailable>;
 /// # Errors
 /// [`Unavailable`] where a symbol of the integrand has no value, and for numbers that must be exact.
 pub fn integral<D: Differentiable>(ends: (Option<D>, Option<D>), f: Integrand<'_, D>) -> Result<D, Unavailable> {
-    let exact = Unavailable::Operation("an exact value of an integral without a known antiderivative");
+    let exact = Unavailable::Operation("an integral without a known antiderivative");
     let unknown = D::uncertain(f64::INFINITY).ok_or(exact)?;
     let (farthest, count) = match ends {
         (Some(_), Some(_)) => (FARTHEST.0, (FARTHEST.0 / COARSEST) as i32),

@@ -72,8 +72,8 @@ impl Parser<'_> {
                     match (touches, &sign.kind) {
                         (false, TokenKind::Other(c)) => Item { layout: Layout::Other(*c), span: sign.span },
                         _ => of_fault(
-                            Fault::ambiguous(sign.span, "only the sign stands above here")
-                                .help("put what stands above in braces, as in x^{-1}"),
+                            Fault::ambiguous(sign.span, "this superscript is only a sign")
+                                .help("put the whole superscript in braces, as in x^{-1}"),
                         ),
                     }
                 }

@@ -59,38 +59,8 @@ impl Reader<'_> {
             }
             Layout::Group(items) => self.sum(items, span),
             Layout::Fence(delimiter, items) => self.fence(*delimiter, items, span),
-            Layout::Fraction(numerator, denominator) => {
-                if let Some(operator) = self.operator(numerator, denominator, span)? {
-                    return self.apply(&operator, &[], &mut 0);
-                }
-                if self.symbols.infers() && is_material(numerator, denominator) {
-                    return Err(Fault::unsupported(span, "the derivative D/Dt along a flow has no value here")
-                        .help("write \\frac{\\partial}{\\partial t} + \\vec u \\cdot \\nabla"));
-                }
-                let is_element = self.is_abstract()
-                    || self.symbols.infers()
-                        && self.symbols.inferred.differentials
-                        && !starts_differential(denominator)
-                        && !matches!(&contents(numerator)[0].layout, Layout::Command(name) if name == "\\partial");
-                if !is_element && (starts_differential(numerator) || starts_differential(denominator)) {
-                    return Err(Fault::unsupported(span, "only derivatives with respect to time are supported"));
-                }
-                let (a, b) = (self.item(numerator)?, self.item(denominator)?);
-                Ok(Expr::new(Node::Quotient(Box::new(a), Box::new(b)), span))
-            }
-            Layout::Root(index, radicand) => {
-                let degree = match index.as_deref().map(|index| whole_number(index).ok_or(index.span)) {
-                    None => 2,
-                    Some(Ok(degree)) if degree >= 2 => degree,
-                    Some(Ok(_)) => {
-                        return Err(Fault::new(span, "the index of a root must be a whole number from 2 up"));
-                    }
-                    Some(Err(span)) => {
-                        return Err(Fault::new(span, "the index of a root must be a whole number from 2 up"));
-                    }
-                };
-                Ok(Expr::new(Node::Root(degree, Box::new(self.item(radicand)?)), span))
-            }
+            Layout::Fraction(numerator, denominator) => self.fraction(numerator, denominator, span),
+            Layout::Root(index, radicand) => self.root(index.as_deref(), radicand, span),
             Layout::Environment(name, rows) if is_cases(name) => self.cases(rows, span),
             Layout::Environment(name, rows) => self.matrix(name, rows, span),
             // A unit matrix, `\mathbb{1}`.
@@ -119,34 +89,7 @@ impl Reader<'_> {
             Layout::Scripts { nucleus, sub: Some(sub), sup, primes: 0 }
                 if matches!(nucleus.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, _)) =>
             {
-                let is_derivative = self.symbols.infers() && is_derivative_in_parentheses(nucleus);
-                // `\left(\frac{d\vec e}{dt}\right)_S` is the rate in a frame, and nothing is held fixed.
-                let is_rate = is_derivative && is_rate_in_a_frame(nucleus, sub);
-                if is_rate && !self.is_abstract() {
-                    return Err(Fault::unsupported(span, "the rate in a frame has no value here")
-                        .help("write the derivative without the name of a frame"));
-                }
-                let is_held = is_derivative && !is_rate;
-                if is_rate {
-                    let inner = self.item(nucleus)?;
-                    let below = super::structure::printed(contents(sub));
-                    let rate = self.template(&format!("(#)_{{{below}}}"), vec![inner], span);
-                    return match sup {
-                        Some(sup) => self.raised(rate, sup, span),
-                        None => Ok(rate),
-                    };
-                }
-                let part = match is_held {
-                    true => {
-                        let inner = self.item(nucleus)?;
-                        self.evaluated(inner, (Some(sub), None), span)?
-                    }
-                    false => self.part(nucleus, sub, span)?,
-                };
-                match sup {
-                    Some(sup) => self.raised(part, sup, span),
-                    None => Ok(part),
-                }
+                self.with_subscript(nucleus, sub, sup.as_deref(), span)
             }
             Layout::Style(command, inner) | Layout::Accent(command, inner)
                 if matches!(command.as_str(), "\\vec" | "\\mathbf") && whole_number(inner) == Some(0) =>
@@ -155,49 +98,106 @@ impl Reader<'_> {
                 Ok(Expr::new(Node::Matrix(vec![zero(), zero(), zero()]), span))
             }
             Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => {
-                let base = self.item(nucleus)?;
-                if matches!(nucleus.layout, Layout::Group(_)) && matches!(base.node, Node::Sum(_) | Node::Product(_)) {
-                    return Err(Fault::ambiguous(span, "braces do not print, so {a b}^2 may be (a b)^2 or a b^2")
-                        .help("use parentheses"));
-                }
-                // Nobody puts parentheses around a name below an index: `(x_2)^{n_1}`.
-                let is_enclosed = matches!(nucleus.layout, Layout::Fence(Delimiter::Round, _));
-                let is_name = |sup: &Item| {
-                    names::printed(sup, None)
-                        .is_some_and(|found| found.sup.is_none() && !found.name.subscript.is_empty())
-                };
-                let is_plain = base.as_plain_symbol().is_some() && self.shape_of(&base)? == Shape::Scalar;
-                if is_enclosed && is_plain && is_name(sup) {
-                    let exponent = self.item(sup)?;
-                    return Ok(Expr::new(Node::Power(Box::new(base), Box::new(exponent)), span));
-                }
-                self.raised(base, sup, span)
+                self.with_superscript(nucleus, sup, span)
             }
-            Layout::Scripts { nucleus, sub, .. } => match (&nucleus.layout, sub) {
-                (Layout::Fault(fault), _) => Err(fault.clone()),
-                (Layout::Command(name), _) => Err(unknown_command(name, nucleus.span)),
-                (_, Some(sub)) => Err(Fault::unsupported(
-                    sub.span,
-                    "a subscript is supported on a symbol, a vector or a 3×3 matrix only",
-                )),
-                _ => Err(Fault::unsupported(span, "a prime is supported on a symbol only")),
-            },
-            Layout::Command(name) => Err(unknown_command(name, span)),
-            Layout::Style(name, _) | Layout::Accent(name, _) => {
-                Err(Fault::unsupported(span, format!("{name} is not supported here")))
-            }
-            Layout::Text(word) if word == "or" => Err(Fault::unsupported(span, "alternatives are not supported")
-                .help("write each case as an equation of its own")),
-            Layout::Text(word) => Err(Fault::unsupported(span, format!("the text “{word}” is not supported here"))),
-            Layout::Other(',') => Err(Fault::unsupported(span, "a comma is not supported here")
-                .help("write an equation for each value; write numbers as 1000 and 1.5")),
-            Layout::Other('.' | '…') => Err(Fault::unsupported(span, "a point between formulas is not supported")
-                .help("write \\cdot for a product, and all terms in place of an ellipsis")),
-            Layout::Other(c) => Err(Fault::unsupported(span, format!("“{c}” is not supported here"))),
-            Layout::Letter(_) | Layout::Space(_) | Layout::Row | Layout::Align => {
-                Err(Fault::unsupported(span, "this is not supported here"))
-            }
+            Layout::Scripts { .. }
+            | Layout::Command(_)
+            | Layout::Style(..)
+            | Layout::Accent(..)
+            | Layout::Text(_)
+            | Layout::Other(_)
+            | Layout::Letter(_)
+            | Layout::Space(_)
+            | Layout::Row
+            | Layout::Align => Err(unread(item)),
         }
+    }
+
+    /// A fraction: an operator that stands alone, or a quotient.
+    fn fraction(&mut self, numerator: &Item, denominator: &Item, span: Span) -> Read<Expr> {
+        if let Some(operator) = self.operator(numerator, denominator, span)? {
+            return self.apply(&operator, &[], &mut 0);
+        }
+        if self.symbols.infers() && is_material(numerator, denominator) {
+            return Err(Fault::unsupported(span, "the derivative D/Dt along a flow has no value here")
+                .help("write \\frac{\\partial}{\\partial t} + \\vec u \\cdot \\nabla"));
+        }
+        let is_element = self.is_abstract()
+            || self.symbols.infers()
+                && self.symbols.inferred.differentials
+                && !starts_differential(denominator)
+                && !matches!(&contents(numerator)[0].layout, Layout::Command(name) if name == "\\partial");
+        if !is_element && (starts_differential(numerator) || starts_differential(denominator)) {
+            return Err(Fault::unsupported(span, "only derivatives with respect to time are supported"));
+        }
+        let (a, b) = (self.item(numerator)?, self.item(denominator)?);
+        Ok(Expr::new(Node::Quotient(Box::new(a), Box::new(b)), span))
+    }
+
+    fn root(&mut self, index: Option<&Item>, radicand: &Item, span: Span) -> Read<Expr> {
+        let degree = match index.map(|index| whole_number(index).ok_or(index.span)) {
+            None => 2,
+            Some(Ok(degree)) if degree >= 2 => degree,
+            Some(Ok(_)) => {
+                return Err(Fault::new(span, "the index of a root must be a whole number from 2 up"));
+            }
+            Some(Err(span)) => {
+                return Err(Fault::new(span, "the index of a root must be a whole number from 2 up"));
+            }
+        };
+        Ok(Expr::new(Node::Root(degree, Box::new(self.item(radicand)?)), span))
+    }
+
+    /// `(\partial S/\partial V)_T`, `(\vec\omega \times \vec r)_a`: parentheses with a subscript.
+    fn with_subscript(&mut self, nucleus: &Item, sub: &Item, sup: Option<&Item>, span: Span) -> Read<Expr> {
+        let is_derivative = self.symbols.infers() && is_derivative_in_parentheses(nucleus);
+        // `\left(\frac{d\vec e}{dt}\right)_S` is the rate in a frame, and nothing is held fixed.
+        let is_rate = is_derivative && is_rate_in_a_frame(nucleus, sub);
+        if is_rate && !self.is_abstract() {
+            return Err(Fault::unsupported(span, "the rate in a frame has no value here")
+                .help("write the derivative without the name of a frame"));
+        }
+        let is_held = is_derivative && !is_rate;
+        if is_rate {
+            let inner = self.item(nucleus)?;
+            let below = super::structure::printed(contents(sub));
+            let rate = self.template(&format!("(#)_{{{below}}}"), vec![inner], span);
+            return match sup {
+                Some(sup) => self.raised(rate, sup, span),
+                None => Ok(rate),
+            };
+        }
+        let part = match is_held {
+            true => {
+                let inner = self.item(nucleus)?;
+                self.evaluated(inner, (Some(sub), None), span)?
+            }
+            false => self.part(nucleus, sub, span)?,
+        };
+        match sup {
+            Some(sup) => self.raised(part, sup, span),
+            None => Ok(part),
+        }
+    }
+
+    /// `(a + b)^2`: a formula that is no name, with a superscript.
+    fn with_superscript(&mut self, nucleus: &Item, sup: &Item, span: Span) -> Read<Expr> {
+        let base = self.item(nucleus)?;
+        if matches!(nucleus.layout, Layout::Group(_)) && matches!(base.node, Node::Sum(_) | Node::Product(_)) {
+            return Err(Fault::ambiguous(span, "braces do not print, so {a b}^2 may be (a b)^2 or a b^2")
+                .help("use parentheses"));
+        }
+        // Nobody puts parentheses around a name below an index: `(x_2)^{n_1}`.
+        let is_enclosed = matches!(nucleus.layout, Layout::Fence(Delimiter::Round, _));
+        let is_name = |sup: &Item| {
+            names::printed(sup, None).is_some_and(|found| found.sup.is_none() && !found.name.subscript.is_empty())
+        };
+        let is_plain = base.as_plain_symbol().is_some() && self.shape_of(&base)? == Shape::Scalar;
+        if is_enclosed && is_plain && is_name(sup) {
+            let exponent = self.item(sup)?;
+            return Ok(Expr::new(Node::Power(Box::new(base), Box::new(exponent)), span));
+        }
+        self.raised(base, sup, span)
     }
 
     /// A formula at a place: its value, or where letters are inferred an operator.
@@ -428,4 +428,33 @@ fn are_entries(items: &[Item]) -> bool {
     };
     let entries: Vec<&[Item]> = items.split(is_space).filter(|entry| !entry.is_empty()).collect();
     entries.len() > 1 && entries.iter().all(|entry| is_entry(entry)) || (first..last).any(is_apart)
+}
+
+/// The fault of an item that is no formula by itself.
+fn unread(item: &Item) -> Fault {
+    let span = item.span;
+    match &item.layout {
+        Layout::Scripts { nucleus, sub, .. } => match (&nucleus.layout, sub) {
+            (Layout::Fault(fault), _) => fault.clone(),
+            (Layout::Command(name), _) => unknown_command(name, nucleus.span),
+            (_, Some(sub)) => {
+                Fault::unsupported(sub.span, "a subscript is supported on a symbol, a vector or a 3×3 matrix only")
+            }
+            _ => Fault::unsupported(span, "a prime is supported on a symbol only"),
+        },
+        Layout::Command(name) => unknown_command(name, span),
+        Layout::Style(name, _) | Layout::Accent(name, _) => {
+            Fault::unsupported(span, format!("{name} is not supported here"))
+        }
+        Layout::Text(word) if word == "or" => {
+            Fault::unsupported(span, "alternatives are not supported").help("write each case as an equation of its own")
+        }
+        Layout::Text(word) => Fault::unsupported(span, format!("the text “{word}” is not supported here")),
+        Layout::Other(',') => Fault::unsupported(span, "a comma is not supported here")
+            .help("write an equation for each value; write numbers as 1000 and 1.5"),
+        Layout::Other('.' | '…') => Fault::unsupported(span, "a point between formulas is not supported")
+            .help("write \\cdot for a product, and all terms in place of an ellipsis"),
+        Layout::Other(c) => Fault::unsupported(span, format!("“{c}” is not supported here")),
+        _ => Fault::unsupported(span, "this is not supported here"),
+    }
 }

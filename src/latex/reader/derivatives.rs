@@ -7,7 +7,9 @@ use crate::source::{Fault, Span};
 use super::super::layout::{Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
-use super::items::{Joint, contents, differential, is_big_sum, is_integral, joint, starts_differential, whole_number};
+use super::items::{
+    Joint, contents, differential, has_sign_second, is_big_sum, is_integral, joint, starts_differential, whole_number,
+};
 use super::state::{Read, Reader};
 
 impl Reader<'_> {
@@ -92,8 +94,7 @@ impl Reader<'_> {
         let (Some(order), [d, time]) = (upper.first().and_then(differential), lower) else {
             return Ok(None);
         };
-        // `\frac{d-2}{dt}`: d is a letter.
-        if matches!(upper.get(1).map(|item| &item.layout), Some(Layout::Other('+' | '-'))) {
+        if has_sign_second(upper) {
             return Ok(None);
         }
         let Some(time) = names::printed(time, None).filter(|_| differential(d) == Some(1)) else {

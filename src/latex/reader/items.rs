@@ -190,6 +190,11 @@ pub(super) fn differential_of_many(item: &Item) -> Option<String> {
     .then(|| format!("d^{{{}}}", super::super::layout::latex(letters)))
 }
 
+/// Whether a sign stands second, so that the d before it is a letter, `\frac{d-2}{d-1}`.
+pub(super) fn has_sign_second(items: &[Item]) -> bool {
+    matches!(items.get(1).map(|item| &item.layout), Some(Layout::Other('+' | '-')))
+}
+
 /// Whether a numerator or denominator begins with a d and goes on: `dx`, `\partial L`.
 pub(super) fn starts_differential(item: &Item) -> bool {
     match contents(item) {

@@ -60,6 +60,7 @@ mod functions;
 mod integrals;
 pub(super) mod items;
 mod partial_derivatives;
+mod products;
 mod state;
 pub(super) mod structure;
 mod sums;

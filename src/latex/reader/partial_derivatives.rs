@@ -14,7 +14,7 @@ use crate::source::{Fault, Missing, Span};
 use super::super::layout::{Item, Layout};
 use super::super::lexer::Space;
 use super::super::names;
-use super::items::{Joint, contents, differential, is_usual_index, joint, whole_number};
+use super::items::{Joint, contents, differential, has_sign_second, is_usual_index, joint, whole_number};
 use super::state::{Read, Reader};
 
 /// Whether a derivative is written with ∂, or with d.
@@ -65,14 +65,8 @@ impl Reader<'_> {
     fn operator_of<'i>(&mut self, (upper, lower): (&'i [Item], &'i [Item]), span: Span) -> Read<Option<Operator<'i>>> {
         let Some((mark, order)) = upper.first().and_then(mark) else { return Ok(None) };
         let Some((below, _)) = lower.first().and_then(self::mark) else { return Ok(None) };
-        // `\frac{d-2}{d-1}`: d is a letter.
-        if [upper, lower]
-            .iter()
-            .any(|part| matches!(part.get(1).map(|item| &item.layout), Some(Layout::Other('+' | '-'))))
-        {
-            return Ok(None);
-        }
-        if below != mark || mark == Mark::Total && self.symbols.find(&Name::plain("d")).is_some() {
+        let is_letter = [upper, lower].into_iter().any(has_sign_second);
+        if is_letter || below != mark || mark == Mark::Total && self.symbols.find(&Name::plain("d")).is_some() {
             return Ok(None);
         }
         let by = self.variables(lower, mark, span)?;
@@ -313,9 +307,11 @@ impl Reader<'_> {
             let (by, beside) = (name(by.id), name(beside.id));
             return Err(Fault::ambiguous(
                 span,
-                format!("{beside} may be fixed in this derivative, or change with {by}, whose formula contains it"),
+                format!(
+                    "the formula of {by} contains {beside}, which may stay fixed in this derivative or change with {by}"
+                ),
             )
-            .help(format!("write {beside} or {by} alone in what is differentiated")));
+            .help(format!("write the differentiated formula with only one of the two, {beside} or {by}")));
         }
         let is_momentum = |other: &&Variable| fixed.contains(&other.id) && self.symbols.entry(other.id).is_momentum();
         // The momentum of a cyclic coordinate stands beside the velocities of the others in a Routhian.
@@ -350,8 +346,11 @@ impl Reader<'_> {
         let is_by = |other: &Variable| other == by;
         let is_composed = |other: &Variable| self.symbols.open && self.symbols.entry(other.id).is_composed();
         if others.iter().any(is_composed) || self.symbols.infers() && !others.iter().all(is_by) {
-            return Err(Fault::ambiguous(item.span, "a letter may depend on this variable or not")
-                .help("say in a claims file what the letters are"));
+            return Err(Fault::ambiguous(
+                item.span,
+                "a letter in this derivative may or may not depend on the variable",
+            )
+            .help("declare the letters in a claims file"));
         }
         if let Some(unread) = self.symbols.unread_in(formula).filter(|id| *id != by.id) {
             return Err(self.refused(&NoDerivative::Unknown(unread), span));
@@ -385,8 +384,8 @@ impl Reader<'_> {
                 Err(self.refused(&NoDerivative::Unknown(others[0].id), span))
             }
             _ if self.symbols.open && !others.iter().any(is_by) && !others.is_empty() => {
-                Err(Fault::ambiguous(item.span, "a letter may depend on this variable or not")
-                    .help("say in a claims file what the letters are"))
+                Err(Fault::ambiguous(item.span, "a letter in this derivative may or may not depend on the variable")
+                    .help("declare the letters in a claims file"))
             }
             _ => derivative::partial(formula, by, scope, span).map_err(refused),
         }

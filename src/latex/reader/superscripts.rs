@@ -193,8 +193,11 @@ impl Reader<'_> {
                 .help("write indices as a subscript; write a power as a product in parentheses, x^{(a \\cdot b)}"));
         }
         if self.is_element_of_an_inverse(base, sup) {
-            return Err(Fault::ambiguous(span, "this may be an element of the inverse, or one over an element")
-                .help("write (F^{-1})_{ij} or \\frac{1}{F_{ij}}"));
+            return Err(Fault::ambiguous(
+                span,
+                "this may be an element of the inverse matrix, or 1 divided by an element",
+            )
+            .help("write (F^{-1})_{ij} or \\frac{1}{F_{ij}}"));
         }
         let letters: Option<Vec<String>> = marks.iter().map(|item| letter(item)).collect();
         let letters = letters.unwrap_or_default();

@@ -32,7 +32,7 @@ pub(crate) fn check(claimed: Equilibrium, context: &Context<'_>) -> Result<Findi
     let Some(system) = &context.model.system else {
         return undecided(
             Code::NoMotion,
-            "there is no system that could be at rest; give a Lagrangian under \"means\"",
+            "an equilibrium needs equations of motion, and there are none; name a \"system\", or a Lagrangian under \"means\"",
         );
     };
     let all = context.model.coordinates.iter().enumerate();
@@ -70,7 +70,10 @@ pub(crate) fn check(claimed: Equilibrium, context: &Context<'_>) -> Result<Findi
         }
     }
     let Some(rest) = worst else {
-        return undecided(Code::NotDecided, "there is no coordinate that could be at rest");
+        return undecided(
+            Code::NotDecided,
+            "an equilibrium needs a coordinate that stays at rest, and there is none; declare it under \"coordinates\"",
+        );
     };
     let stays = match claimed {
         Equilibrium::Steady => "the system stays on this steady motion",
@@ -98,7 +101,7 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
         return open("there are forces or constraints beside the Lagrangian");
     }
     if coordinates.len() > MOST {
-        return open("there are too many coordinates");
+        return open("this is supported for at most three coordinates");
     }
     let Some(lagrangian) = lagrangian(context) else { return open("the notes print no Lagrangian") };
     if context.model.contains_time(&lagrangian) {
@@ -112,7 +115,7 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
         coordinates.iter().map(|a| coordinates.iter().map(|b| entry(a, b)).collect()).collect()
     };
     let (Some(stiffness), Some(masses)) = (matrix(0, true), matrix(1, false)) else {
-        return open("the Lagrangian has no second derivatives as formulas");
+        return open("the second derivatives of the Lagrangian cannot be formed as formulas");
     };
     let all = |minors: &[Expr], relation: Relation| -> Result<bool> {
         for minor in minors {
@@ -127,7 +130,7 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
         Ok(!refuted)
     };
     if !minors(&masses).iter().map(is_positive).collect::<Result<Vec<_>>>()?.into_iter().all(|positive| positive) {
-        return open("the masses may not be positive");
+        return open("the mass matrix may not be positive");
     }
     let is_minimum = all(&minors(&stiffness), Relation::Greater)?;
     let is_stable = claimed == Equilibrium::Stable;
@@ -150,12 +153,12 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
         });
     }
     let Some(turning) = without_velocity_forces(&lagrangian, coordinates, context) else {
-        return open("the Lagrangian has no second derivatives as formulas");
+        return open("the second derivatives of the Lagrangian cannot be formed as formulas");
     };
     for link in turning {
         let is_same = link.lhs == link.rhs || identity::check(&link, &context.quick())?.verdict.holds();
         if !is_same {
-            return open("it has forces that are linear in the velocities, which may make it stable");
+            return open("forces that are linear in the velocities may make it stable");
         }
     }
     let mut falls = false;
@@ -179,7 +182,7 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
             let found = identity::check(&signed(&minor, Relation::GreaterEqual), &context.quick())?;
             Ok(Finding { message: format!("{}, but it is not stable", rest.message), ..found })
         }
-        _ => open("the second derivatives of the Lagrangian do not decide it at all states"),
+        _ => open("the second derivatives of the Lagrangian do not decide it at every sampled state"),
     }
 }
 
@@ -208,7 +211,7 @@ fn at_states(of: &Expr, relation: Relation, context: &Context<'_>) -> Result<Opt
     let link = signed(of, relation);
     let ensemble = context.ensemble(context.mode(true, &[of]), false, context.options.points)?;
     let Ok(outcome) = run(&link, &ensemble.states) else { return Ok(None) };
-    let found = |verdict| Some(context.finding(Code::SidesDiffer, verdict, "the sign differs"));
+    let found = |verdict| Some(context.finding(Code::SidesDiffer, verdict, "the formula has another sign"));
     Ok(match outcome.failure {
         Some(_) => found(Verdict::Refuted),
         // A text that is tried in the place of the display is not searched for the worst state.

@@ -47,27 +47,10 @@ fn judged(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
             "there is no system whose motion the formula could generate; name a \"system\"",
         ));
     }
-    if let Some(name) = fixed_by_the_state(hamiltonian, model) {
-        let message = format!(
-            "{} is not a coordinate or a momentum; give its formula in these under \"define\"",
-            text::plain(&name)
-        );
-        return Ok(context.finding(Code::NotIndependent, Verdict::Undecided, message));
-    }
-    // A momentum may have several names.
-    let named = |wanted: Quantity| -> Vec<SymbolId> {
-        let is = |(_, meaning): &(usize, &Option<Meaning>)| matches!(meaning, Some(Meaning::System(q)) if *q == wanted);
-        model.meanings.iter().enumerate().filter(is).map(|(at, _)| SymbolId(at)).collect()
+    let varied = match independent_names(hamiltonian, context) {
+        Ok(varied) => varied,
+        Err(finding) => return Ok(*finding),
     };
-    let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|v| v.symbol).collect();
-    let momenta: Vec<Vec<SymbolId>> = (0..coordinates.len()).map(|k| named(Quantity::Momentum(k))).collect();
-    if let Some(k) = momenta.iter().position(Vec::is_empty) {
-        let coordinate = text::plain(&model.name(coordinates[k]));
-        let message = format!("the momentum of {coordinate} has no name; give it one under \"means\"");
-        return Ok(context.finding(Code::UndeclaredName, Verdict::Undecided, message));
-    }
-    // The names of each coordinate and of each momentum.
-    let varied: Vec<Vec<SymbolId>> = coordinates.iter().map(|id| vec![*id]).chain(momenta).collect();
     let mode = context.mode(true, &[hamiltonian]);
     let ensemble = context.ensemble(mode, false, context.options.points)?;
     if ensemble.states.is_empty() {
@@ -80,35 +63,15 @@ fn judged(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
         let Some(known) = state.quantities() else { continue };
         let values: Vec<RunningError> = state.coordinates().iter().chain(&known.momenta).map(Series::value).collect();
         for place in 0..varied.len() {
-            let seeded: Vec<(SymbolId, Series<Dual<RunningError>>)> = (0..varied.len())
-                .flat_map(|other| varied[other].iter().map(move |id| (other, *id)))
-                .map(|(other, id)| {
-                    let slope = RunningError::new(if other == place { 1.0 } else { 0.0 });
-                    (id, Series::from_derivatives(&[Dual::new(values[other], slope)]))
-                })
-                .collect();
-            free.set_only(&seeded);
-            let slope = match evaluate(hamiltonian, &free, &[]) {
-                Ok(Value::Scalar(value)) => value.value().eps,
-                Ok(_) => {
-                    let message = "a Hamiltonian must be a number, and this is not one";
-                    return Ok(context.finding(Code::ShapeMismatch, Verdict::Unreadable, message));
-                }
-                Err(Unavailable::Derivative(_)) => {
-                    let message =
-                        "a Hamiltonian must be written in coordinates and momenta, and this contains velocities";
-                    return Ok(context.finding(Code::NotIndependent, Verdict::Unreadable, message));
-                }
-                Err(reason) => return Ok(context.unavailable(&reason)),
+            let slope = match slope(hamiltonian, &mut free, (&varied, place), &values, context) {
+                Ok(slope) => slope,
+                Err(finding) => return Ok(*finding),
             };
-            let n = coordinates.len();
-            let (printed, derived, equation) = if place < n {
-                let name = text::plain(&model.name(varied[n + place][0]));
-                (-slope, known.momenta[place].derivative().value(), format!("the rate of {name}"))
-            } else {
-                let i = place - n;
-                let name = text::plain(&model.name(coordinates[i]));
-                (slope, state.coordinates()[i].derivative().value(), format!("the rate of {name}"))
+            // The first half of the names are the coordinates: there ∂H/∂q is −ṗ, and in the other half ∂H/∂p is q̇.
+            let n = varied.len() / 2;
+            let (printed, derived, of) = match place < n {
+                true => (-slope, known.momenta[place].derivative().value(), n + place),
+                false => (slope, state.coordinates()[place - n].derivative().value(), place - n),
             };
             let difference = printed - derived;
             if !printed.value.is_finite() || !derived.value.is_finite() {
@@ -116,22 +79,20 @@ fn judged(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
             }
             let residual = difference.value.abs() / difference.magnitude.max(f64::MIN_POSITIVE);
             if !residual::vanishes(difference) {
+                let equation = format!("the rate of {}", text::plain(&model.name(varied[of][0])));
                 let counterexample = Counterexample {
                     state: counterexample::values(&[hamiltonian], state),
                     lhs: printed.value,
                     rhs: derived.value,
                     entry: Some(equation.clone()),
                 };
+                let message = format!("Hamilton's equations from this formula do not give {equation}");
                 return Ok(Finding {
                     points: points + 1,
                     tried: ensemble.tried,
                     max_residual: Some(residual),
                     counterexample: Some(counterexample),
-                    ..context.finding(
-                        Code::NotTheHamiltonian,
-                        Verdict::Refuted,
-                        format!("Hamilton's equations from this formula do not give {equation}"),
-                    )
+                    ..context.finding(Code::NotTheHamiltonian, Verdict::Refuted, message)
                 });
             }
             worst = worst.max(residual);
@@ -156,6 +117,66 @@ fn judged(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
     };
     let claim = Generates { hamiltonian, varied: &varied };
     Ok(decide::decide(&[hamiltonian], context, &ensemble, &claim).stamp(finding))
+}
+
+/// The names of each coordinate, then of each momentum, by which a Hamiltonian is differentiated.
+///
+/// # Errors
+/// The finding where the formula has another name that the state determines, or where a momentum has no name.
+fn independent_names(hamiltonian: &Expr, context: &Context<'_>) -> Independent<Vec<Vec<SymbolId>>> {
+    let model = context.model;
+    if let Some(name) = fixed_by_the_state(hamiltonian, model) {
+        let message = format!(
+            "{} is not a coordinate or a momentum; give its formula in these under \"define\"",
+            text::plain(&name)
+        );
+        return Err(Box::new(context.finding(Code::NotIndependent, Verdict::Undecided, message)));
+    }
+    // A momentum may have several names.
+    let named = |wanted: Quantity| -> Vec<SymbolId> {
+        let is = |(_, meaning): &(usize, &Option<Meaning>)| matches!(meaning, Some(Meaning::System(q)) if *q == wanted);
+        model.meanings.iter().enumerate().filter(is).map(|(at, _)| SymbolId(at)).collect()
+    };
+    let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|v| v.symbol).collect();
+    let momenta: Vec<Vec<SymbolId>> = (0..coordinates.len()).map(|k| named(Quantity::Momentum(k))).collect();
+    if let Some(k) = momenta.iter().position(Vec::is_empty) {
+        let coordinate = text::plain(&model.name(coordinates[k]));
+        let message = format!("the momentum of {coordinate} has no name; give it one under \"means\"");
+        return Err(Box::new(context.finding(Code::UndeclaredName, Verdict::Undecided, message)));
+    }
+    // The names of each coordinate and of each momentum.
+    Ok(coordinates.iter().map(|id| vec![*id]).chain(momenta).collect())
+}
+
+/// What follows with the coordinates and the momenta as independent names, or the finding that nothing does.
+type Independent<T> = std::result::Result<T, Box<Finding>>;
+
+/// The derivative of a Hamiltonian by the names at a place, where the names have the given values.
+fn slope(
+    hamiltonian: &Expr,
+    free: &mut SampledState<'_, Dual<RunningError>>,
+    (varied, place): (&[Vec<SymbolId>], usize),
+    values: &[RunningError],
+    context: &Context<'_>,
+) -> Independent<RunningError> {
+    let seeded: Vec<(SymbolId, Series<Dual<RunningError>>)> = (0..varied.len())
+        .flat_map(|other| varied[other].iter().map(move |id| (other, *id)))
+        .map(|(other, id)| {
+            let slope = RunningError::new(if other == place { 1.0 } else { 0.0 });
+            (id, Series::from_derivatives(&[Dual::new(values[other], slope)]))
+        })
+        .collect();
+    free.set_only(&seeded);
+    let failed = |code, message: &str| Err(Box::new(context.finding(code, Verdict::Unreadable, message)));
+    match evaluate(hamiltonian, free, &[]) {
+        Ok(Value::Scalar(value)) => Ok(value.value().eps),
+        Ok(_) => failed(Code::ShapeMismatch, "a Hamiltonian must be a number, and this is not one"),
+        Err(Unavailable::Derivative(_)) => failed(
+            Code::NotIndependent,
+            "a Hamiltonian must be written in coordinates and momenta, and this contains velocities",
+        ),
+        Err(reason) => Err(Box::new(context.unavailable(&reason))),
+    }
 }
 
 /// The name of a quantity in a formula that the state determines and that is not a coordinate or momentum. Its derivatives

@@ -59,7 +59,8 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
     for (name, other) in others {
         let is_same = square == other || identity::check(&equal(square, other), &context.quick())?.verdict.holds();
         if is_same && !pencil.is_double(square, context)? {
-            let message = format!("this is the same normal frequency as {name}, which is no double one");
+            let message =
+                format!("this is the same normal frequency as {name}, and det(K − ω²M) has no double root there");
             return Ok(context.finding(Code::SidesDiffer, Verdict::Refuted, message));
         }
     }

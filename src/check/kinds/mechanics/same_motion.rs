@@ -75,7 +75,7 @@ pub(crate) fn check(ours: &Expr, other: &Expr, context: &Context<'_>) -> Result<
         return Ok(refuted);
     }
     let message = format!(
-        "the equations of this are not those of {shown} one by one; whether it gives the same motion was not decided"
+        "the equations of motion of this differ from those of {shown} one by one; whether the motion is the same was not decided"
     );
     Ok(context.finding(Code::NotDecided, Verdict::Undecided, message))
 }

@@ -200,14 +200,15 @@ impl Judge<'_, '_> {
         let symbols = || pair.iter().flat_map(Expr::symbols);
         let is_instant = |id: SymbolId| single_letters::is_instant(&model.symbols.entry(id).name);
         if symbols().any(|(id, _)| is_instant(id)) {
-            return Some("t is an instant here, and this may be another one".to_owned());
+            return Some("may be about another instant t than the problem".to_owned());
         }
         if let Some((id, _)) = symbols().find(|(id, dots)| *dots > 0 && is_fixed(*id)) {
-            return Some(format!("{} is constant in the problem, and changes here", self.shown(id)));
+            return Some(format!("needs {} to vary with time, and it is constant in the problem", self.shown(id)));
         }
         let open = self.open.iter().filter(|id| pair.iter().any(|side| model.depends_on(side, &[**id])));
         let names: Vec<String> = open.map(|id| self.shown(*id)).collect();
-        (!names.is_empty()).then(|| format!("nothing in the problem says how {} moves", names.join(", ")))
+        (!names.is_empty())
+            .then(|| format!("needs to know how {} moves, and the problem does not say it", names.join(", ")))
     }
 
     /// Why a link is not judged after a condition that the problem does not meet: what moves may then move in another way.
@@ -216,7 +217,7 @@ impl Judge<'_, '_> {
         let names =
             moving(self.quiet.model).into_iter().chain(self.breaks.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
         let is_about = pair.iter().any(|side| self.quiet.model.depends_on(side, &names));
-        is_about.then(|| format!("{name} says what the problem does not, and this may follow from it"))
+        is_about.then(|| format!("may follow from {name}, which states what the problem does not"))
     }
 
     /// Why an inequality between quantities of the problem is not false: it holds for some values of them.
@@ -231,7 +232,7 @@ impl Judge<'_, '_> {
         let other = alone_of(Statement { relations, ..statement });
         let fails = matches!(self.status(display, &other).0, Status::False(_));
         fails.then(|| {
-            "it holds for some values of the quantities, and the problem does not say which they have".to_owned()
+            "holds for some values of the quantities, and the problem does not say which values they have".to_owned()
         })
     }
 

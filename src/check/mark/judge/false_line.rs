@@ -9,7 +9,7 @@ use crate::notes::claims::{Claim, Spanned};
 use crate::check::document::checker::Checker;
 use crate::check::mark::carried::{Before, energies, origin};
 use crate::check::mark::given::{self, Implied};
-use crate::check::mark::marked::{Line, Mark};
+use crate::check::mark::marked::{Because, Line, Mark};
 use crate::check::mark::results;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -18,17 +18,17 @@ use super::readings::vanishes;
 use super::{Judge, carried};
 
 /// A mark with its verdict and the reason for it.
-type Reason = (Mark, Verdict, String);
+type Reason = (Mark, Verdict, Because);
 
-fn given(because: impl Into<String>) -> Reason {
+fn given(because: impl Into<Because>) -> Reason {
     (Mark::Given, Verdict::Assumed, because.into())
 }
 
-fn right(because: impl Into<String>) -> Reason {
+fn right(because: impl Into<Because>) -> Reason {
     (Mark::Right, Verdict::Verified, because.into())
 }
 
-fn open(because: impl Into<String>) -> Reason {
+fn open(because: impl Into<Because>) -> Reason {
     (Mark::Open, Verdict::Undecided, because.into())
 }
 
@@ -55,7 +55,7 @@ impl Judge<'_, '_> {
             return Ok(());
         }
         let (mark, verdict, because) = self.open_or_wrong(at, reading)?;
-        (line.mark, line.because) = (mark, because);
+        (line.mark, line.because) = (mark, because.into());
         line.verdict = verdict.or(line.verdict);
         Ok(())
     }
@@ -65,12 +65,12 @@ impl Judge<'_, '_> {
         let written = &self.world.written[at];
         // A law may be a condition that the others do not imply, as the form of a steady motion.
         if results::prints_a_law(self.quiet, self.world, reading) {
-            return Some((Mark::Given, Verdict::Law, "a law that the problem gives".to_owned()));
+            return Some((Mark::Given, Verdict::Law, "is a law that the problem gives".into()));
         }
         let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
         if written.continues.is_none() && statements.iter().all(|statement| self.is_supposed_in_the_problem(statement))
         {
-            return Some(given("a condition of the problem"));
+            return Some(given("is a condition of the problem"));
         }
         let is_said = written.is_supposed || written.inline;
         let is_condition = |statement: &&Statement| given::may_be(self.quiet, statement, &self.wanted, is_said);
@@ -83,7 +83,7 @@ impl Judge<'_, '_> {
             let compares = statements.iter().all(|statement| given::compares_constants(self.quiet, statement, own));
             return Some(match !is_said && compares {
                 true => open(UNSAID),
-                false => given("a condition or a value, taken for granted"),
+                false => given("is a condition or a value, and is taken for granted"),
             });
         }
         let is_state = |statement: &&Statement| given::is_special_state(self.quiet, statement, &self.wanted);
@@ -93,11 +93,11 @@ impl Judge<'_, '_> {
             if written.is_supposed || written.is_if || statements.iter().all(vanishes) {
                 self.add_condition(at);
             }
-            return Some(given("a special state of what moves, taken for granted"));
+            return Some(given("is a special state of the motion, and is taken for granted"));
         }
         if let Some(name) = vanishes(self.quiet, &statements).filter(|_| is_said) {
             self.breaks.push((name, written.name.clone()));
-            return Some(open("a condition that the problem does not have"));
+            return Some(open("is a condition that the problem does not have"));
         }
         let is_ratio = written.continues.is_none()
             && !statements.is_empty()
@@ -108,11 +108,11 @@ impl Judge<'_, '_> {
         if is_condition || is_ratio {
             self.add_condition(at);
             self.known.add_relation(self.quiet, reading);
-            return Some(if is_condition { given("a condition, taken for granted") } else { open(UNSAID) });
+            return Some(if is_condition { given("is a condition, and is taken for granted") } else { open(UNSAID) });
         }
         if self.has_unknown_instant(reading) {
             self.add_condition(at);
-            return Some(given("a value at an instant, which the problem leaves open"));
+            return Some(given("is a value at an instant, which the problem leaves open"));
         }
         None
     }
@@ -144,7 +144,7 @@ impl Judge<'_, '_> {
             self.trials.push(trial);
             // What follows from it is not judged as a step from a solution of the problem.
             self.trusted[display] = Reading::default();
-            return Ok(Some(given("a trial solution, with names that the problem does not have")));
+            return Ok(Some(given("is a trial solution, with names that the problem does not have")));
         }
         if let Some(name) = self.follows_from_a_trial(reading) {
             return Ok(Some(right(format!("follows from the trial solution in {name}"))));
@@ -163,11 +163,11 @@ impl Judge<'_, '_> {
             return Ok(Some(given(because)));
         }
         if energies::has_another_zero(self.quiet, display, reading) {
-            return Ok(Some(right("right, with another zero of the potential energy")));
+            return Ok(Some(right("is right, with another zero of the potential energy")));
         }
         if self.is_rounded(display, reading) {
             self.known.add(reading, false);
-            return Ok(Some(right("right to the printed digits, with the numbers of the student")));
+            return Ok(Some(right("is right to the printed digits, with the numbers of the student")));
         }
         if let Some(name) = self.follows_under_a_condition(reading) {
             return Ok(Some(right(format!("follows under the condition of {name}"))));
@@ -181,25 +181,25 @@ impl Judge<'_, '_> {
         }
         let text = &self.world.display(at).text;
         if self.world.problem.special.is_rest(self.quiet, display, (text, reading)) {
-            return Ok(Some(right("says where the problem can be at rest")));
+            return Ok(Some(right("says where the system can be at rest")));
         }
         if text.contains("\\pm") && self.has_a_true_sign(display, reading) {
-            return Ok(Some(right("true with one of the two signs")));
+            return Ok(Some(right("is true with one of the two signs")));
         }
         let is_alternative =
             written.is_alternative || self.world.written.get(at + 1).is_some_and(|next| next.is_alternative);
         if is_alternative && self.is_an_alternative(at) {
-            return Ok(Some(given("one of the cases that a line before it leaves")));
+            return Ok(Some(given("is one of the cases that an earlier line leaves open")));
         }
         if self.is_a_case(display, reading) {
             self.add_condition(at);
-            return Ok(Some(given("one of the cases that a condition before it leaves")));
+            return Ok(Some(given("is one of the cases that an earlier condition leaves open")));
         }
         let in_general = self.world.problem.special.at_all_times(self.quiet, &self.with_running_time(reading));
         if self.is_up_to_initial_values(display, reading)
             || in_general.is_some_and(|reading| self.is_up_to_initial_values(display, &reading))
         {
-            return Ok(Some(given("true up to a constant, which an initial value makes 0")));
+            return Ok(Some(given("is true up to a constant, which an initial value makes 0")));
         }
         Ok(None)
     }
@@ -240,7 +240,7 @@ impl Judge<'_, '_> {
             let energy = energy - self.world.first;
             let false_one = &mut self.lines[energy];
             (false_one.mark, false_one.verdict) = (Mark::Wrong, Some(Verdict::Refuted));
-            "with it the Lagrangian is not that of the problem".clone_into(&mut false_one.because);
+            false_one.because = "gives a Lagrangian that is not that of the problem".into();
             energy
         }))
     }
@@ -249,7 +249,7 @@ impl Judge<'_, '_> {
     fn open_or_wrong(&self, at: usize, reading: &Reading) -> Result<(Mark, Option<Verdict>, String)> {
         let display = self.world.first + at;
         if self.details && !self.ends_are_false(display, reading) && self.leaves_open(at, reading)? {
-            let because = format!("uses {}, which is defined nowhere", self.unknown(reading).join(", "));
+            let because = format!("uses {}, which no line defines", self.unknown(reading).join(", "));
             return Ok((Mark::Open, Some(Verdict::Undecided), because));
         }
         if let Some(why) = self.another_meaning(display, reading).filter(|_| self.details) {
@@ -257,7 +257,7 @@ impl Judge<'_, '_> {
         }
         let missing = if self.details { self.missing_values(reading) } else { Vec::new() };
         if !missing.is_empty() {
-            let because = format!("a number, for which no line gives the value of {}", missing.join(", "));
+            let because = format!("is a number, and no line gives the value of {}", missing.join(", "));
             return Ok((Mark::Open, Some(Verdict::Undecided), because));
         }
         let is_wrong = |line: &Line| matches!(line.mark, Mark::Wrong | Mark::Carried);
@@ -270,4 +270,4 @@ impl Judge<'_, '_> {
 }
 
 /// Why a condition is left open.
-const UNSAID: &str = "a condition that the problem does not have, and no word before it says that it is one";
+const UNSAID: &str = "is a condition that the problem does not have, and no word before it says that it is a condition";

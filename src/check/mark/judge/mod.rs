@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::code::Code;
 use crate::formula::{Expr, SymbolId};
-use crate::latex::{Reading, names};
+use crate::latex::Reading;
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
 
@@ -16,13 +16,13 @@ use crate::check::verdict::finding::Finding;
 use super::carried::energies;
 use super::given::Implied;
 use super::judged::{Judged, Rival};
-use super::marked::{Line, Mark};
+use super::marked::{Because, Line, Mark};
 use super::motion::{Along, Motion};
 use super::near_rest;
 use super::results;
 use super::rounded::Known;
 use super::slip;
-use super::special::{self, AT_SPEED};
+use super::special;
 use super::status::{Status, approximate, composed, stated, status};
 use super::world::World;
 
@@ -151,7 +151,7 @@ impl Judge<'_, '_> {
             mark: Mark::Right,
             verdict: None,
             follows_from: None,
-            because: String::new(),
+            because: Because::Follows,
             slip: None,
             derived: None,
             result: None,
@@ -167,13 +167,14 @@ impl Judge<'_, '_> {
             self.premises[display] = whole;
         }
         let (mut status, mut under) = self.status(display, &reading);
+        let mut apart = None;
         if let (Status::False(_), Some(_)) = (&status, broken) {
             // The row before is wrong, and this one may have returned to what is true of the first member.
             let whole = self.premises[display].clone();
             let again = self.status(display, &whole);
             if let Status::Holds(_) = again.0 {
                 (status, under) = again;
-                line.because = "true; it does not follow from the row before, which is wrong".to_owned();
+                apart = Some("is true, but does not follow from the row before, which is wrong".into());
             }
         } else if let (Status::Holds(_), Some(from)) = (&status, broken) {
             (line.mark, line.follows_from) = (Mark::Carried, Some(from));
@@ -183,37 +184,32 @@ impl Judge<'_, '_> {
             return Ok(());
         }
         if matches!(status, Status::Open(..) | Status::False(_)) && self.is_near(display, &reading) {
-            (status, under) = (Status::Holds(Verdict::Verified), "right to the printed digits".to_owned());
+            (status, under) = (Status::Holds(Verdict::Verified), Some("is right to the printed digits".into()));
         }
         if self.details && energies::is_sum_of_energies(self.quiet, &reading) {
             (line.mark, line.verdict) = (Mark::Wrong, Some(Verdict::Refuted));
-            line.because = "the Lagrangian is the difference of the energies".to_owned();
+            line.because = "is not the Lagrangian, which is the kinetic minus the potential energy".into();
             self.push(line);
             return Ok(());
         }
         match status {
             Status::Holds(verdict) => {
                 self.known.add(&reading, false);
-                if let Some(speed) = under.strip_prefix(AT_SPEED).and_then(names::parse) {
+                if let Some(Because::AtSpeed(speed)) = &under {
                     let special = &self.world.problem.special;
-                    self.premises[display] = special.at_speed(self.quiet, reading.clone(), &speed.0);
+                    self.premises[display] = special.at_speed(self.quiet, reading.clone(), speed);
                 }
                 line.verdict = Some(verdict);
-                if line.because.is_empty() {
-                    line.because = under;
-                }
-                if line.because.is_empty() {
-                    line.because = "follows from the problem".to_owned();
-                }
+                line.because = apart.or(under).unwrap_or(Because::Follows);
             }
             Status::Given(verdict, what) => {
-                (line.mark, line.verdict, line.because) = (Mark::Given, Some(verdict), what.to_owned());
+                (line.mark, line.verdict, line.because) = (Mark::Given, Some(verdict), what.into());
             }
             Status::Open(verdict, message) => {
-                (line.mark, line.verdict, line.because) = (Mark::Open, Some(verdict), message);
+                (line.mark, line.verdict, line.because) = (Mark::Open, Some(verdict), message.into());
             }
             Status::Unread(message) => {
-                (line.mark, line.verdict, line.because) = (Mark::Unread, Some(Verdict::Unreadable), message);
+                (line.mark, line.verdict, line.because) = (Mark::Unread, Some(Verdict::Unreadable), message.into());
             }
             Status::False(finding) => {
                 if let Some(said) = near_rest::of_the_frequency(self.quiet, self.world, &self.quiet.readings[display]) {
@@ -235,7 +231,7 @@ impl Judge<'_, '_> {
 
     /// What a reading is in the problem, by itself, along its motion, under the hypotheses of its equations, or under
     /// conditions that were stated; and what it needs.
-    fn status(&self, display: usize, reading: &Reading) -> (Status, String) {
+    fn status(&self, display: usize, reading: &Reading) -> (Status, Option<Because>) {
         let checker = Checker { readings: &self.trusted, units: self.quiet.units.clone(), ..*self.quiet };
         let none = Claim::default();
         let refuted = || Box::new(Finding::new(Code::SidesDiffer, Verdict::Refuted, Span::default(), ""));
@@ -246,25 +242,25 @@ impl Judge<'_, '_> {
         };
         if matches!(own, Status::Holds(_)) && self.motion.is_printed_in(&checker, self.world, reading) {
             return match self.along(&checker, display, reading, &none) {
-                Along::True => (own, String::new()),
-                Along::False => (Status::False(refuted()), String::new()),
-                Along::Open => (Status::Given(Verdict::Assumed, OTHER_START), String::new()),
+                Along::True => (own, None),
+                Along::False => (Status::False(refuted()), None),
+                Along::Open => (Status::Given(Verdict::Assumed, OTHER_START), None),
             };
         }
         if matches!(own, Status::Holds(_)) && self.names_a_rate(reading) {
-            return (Status::Given(Verdict::Definition, "introduces a name"), String::new());
+            return (Status::Given(Verdict::Definition, "introduces a name"), None);
         }
         if !matches!(own, Status::False(_) | Status::Open(..)) {
-            return (own, String::new());
+            return (own, None);
         }
         if self.along(&checker, display, reading, &none) == Along::True {
-            return (Status::Holds(Verdict::Verified), String::new());
+            return (Status::Holds(Verdict::Verified), None);
         }
         // The problem states the frequency of small motion, and not what the deviation is.
         let of_frequency = near_rest::of_the_frequency(self.quiet, self.world, &self.quiet.readings[display]);
         let mut all = std::iter::once(&none).chain(&self.world.problem.contexts);
         if of_frequency.as_ref().is_some_and(|said| all.any(|claim| self.holds_under(&checker, display, said, claim))) {
-            return (Status::Holds(Verdict::Verified), "follows for a small deviation".to_owned());
+            return (Status::Holds(Verdict::Verified), Some("follows for a small deviation".into()));
         }
         for context in &self.world.problem.contexts {
             // While the motion stays at a place there is no deviation, and anything holds of it.
@@ -277,28 +273,31 @@ impl Judge<'_, '_> {
             if self.holds_under(&checker, display, own.as_ref().or(loose.as_ref()).unwrap_or(reading), context)
                 || self.along(&checker, display, reading, context) == Along::True
             {
-                return (Status::Holds(Verdict::Verified), "follows from the problem, with its hypotheses".to_owned());
+                return (
+                    Status::Holds(Verdict::Verified),
+                    Some("follows from the problem, with its hypotheses".into()),
+                );
             }
         }
         if self.holds_where_it_grows(&checker, display, reading) {
             return (
                 Status::Holds(Verdict::Verified),
-                "follows from the problem where the velocity is positive".to_owned(),
+                Some("follows from the problem where the velocity is positive".into()),
             );
         }
         if self.is_a_root(&checker, display, reading) {
-            return (Status::Holds(Verdict::Verified), "gives a root of the secular equation".to_owned());
+            return (Status::Holds(Verdict::Verified), Some("gives a root of the secular equation".into()));
         }
         let special = &self.world.problem.special;
         if let Some(speed) = special.speed(&checker, display, reading) {
-            return (Status::Holds(Verdict::Verified), format!("{AT_SPEED}{speed}"));
+            return (Status::Holds(Verdict::Verified), Some(Because::AtSpeed(speed.clone())));
         }
         let is_near = self.world.written[display - self.world.first].is_near;
         if special.is_linearized(&checker, display, reading, is_near) {
-            return (Status::Holds(Verdict::Verified), "follows for small motion".to_owned());
+            return (Status::Holds(Verdict::Verified), Some("follows for small motion".into()));
         }
         if (is_near || special.has_modes_at_places()) && near_rest::holds(&checker, self.world, display, reading) {
-            return (Status::Holds(Verdict::Verified), "follows for small motion about the place of rest".to_owned());
+            return (Status::Holds(Verdict::Verified), Some("follows for small motion about the place of rest".into()));
         }
         if let Some((text, name)) = self.conditions.last() {
             let span = Span::default();
@@ -311,11 +310,11 @@ impl Judge<'_, '_> {
                 let is_along = || self.along(&checker, display, reading, &claim) == Along::True;
                 if self.holds_under(&checker, display, reading, &claim) || is_along() {
                     let found = Status::Holds(Verdict::Verified);
-                    return (found, format!("follows under the condition of {name}"));
+                    return (found, Some(format!("follows under the condition of {name}").into()));
                 }
             }
         }
-        (own, String::new())
+        (own, None)
     }
 
     /// Whether a reading holds under a claim. Where other letters are sought, a few states that obey its hypotheses tell enough.
@@ -346,13 +345,17 @@ const SEEDS: u64 = 3;
 /// What is said of a function of the time that solves the laws and is not that of the model solution.
 const OTHER_START: &str = "solves the equations of motion, but for other initial values than the model solution";
 
-fn carried(lines: &[Line], from: usize) -> String {
+fn carried(lines: &[Line], from: usize) -> Because {
     let mut root = from;
     while let Some(next) = lines[root].follows_from {
         root = next;
     }
     match root == from {
-        true => format!("right step, from the mistake in {}", lines[root].name),
-        false => format!("right step from {}, which carries the mistake in {}", lines[from].name, lines[root].name),
+        true => format!("is a correct step, but builds on the mistake in {}", lines[root].name),
+        false => format!(
+            "is a correct step, but builds on {}, and so on the mistake in {}",
+            lines[from].name, lines[root].name
+        ),
     }
+    .into()
 }

@@ -8,6 +8,7 @@ mod examples;
 mod factor;
 mod roots;
 mod slips;
+mod sought;
 mod special_values;
 pub(super) mod taken;
 
@@ -25,7 +26,7 @@ use crate::check::unaided::contradictions;
 use crate::check::unaided::gate;
 use crate::check::unaided::inline;
 use crate::check::unaided::premises::{self, Premise, Said};
-use crate::check::unaided::prose::{self, Announced};
+use crate::check::unaided::prose::{self, Words};
 use crate::check::unaided::scope::Scope;
 use crate::check::unaided::screen;
 use crate::check::unaided::signs::{self, Positive};
@@ -35,9 +36,6 @@ use crate::check::verdict::report::Equation;
 use crate::code::Code;
 use crate::formula::{Expr, Statement, SymbolId, text};
 use crate::notes::claims::Claim;
-
-/// The most relations that a display with a slip is taken to solve.
-const SOLVED_WITH_A_SLIP: usize = 2;
 
 /// The fewest symbols of a relation that is taken for an earlier one in another form.
 const FEWEST_RESTATED: usize = 4;
@@ -124,6 +122,18 @@ pub(super) fn judged_again(
 fn with_options<'a>(checker: &Checker<'a>, explain: bool) -> Checker<'a> {
     let options = Options { explain, deduction: true, ..checker.options };
     Checker { options, units: checker.units.clone(), ..*checker }
+}
+
+/// What is before a display that it may follow from.
+struct Sought<'p> {
+    /// The words before it.
+    words: &'p Words,
+    /// The sets of premises, the likeliest first.
+    sets: Vec<Vec<&'p Premise>>,
+    /// The display directly before it, where the words connect the two.
+    nearest: Option<Vec<&'p Premise>>,
+    /// The names that are positive, where it has a root of their squares.
+    positive: Option<Positive>,
 }
 
 /// The way through the displays.
@@ -220,22 +230,8 @@ impl Course<'_, '_> {
         let none = Claim::default();
         let claim = self.checker.assigned[at].unwrap_or(&none);
         let found = self.by_itself(at)?;
-        // Numbers are wrong by themselves, whatever the letters mean, unless they are only supposed.
-        if let Some(found) = gate::wrong_numbers(&found) {
-            let is_supposed = prose::before(self.checker.notes, at).announced.is_supposed();
-            return Ok(if is_supposed { gate::as_it_counts(found) } else { found });
-        }
-        if let Some(found) = self.example(at, &found)? {
-            return Ok(found);
-        }
-        if let Some(found) = self.special_value(at, &found)? {
-            return Ok(found);
-        }
-        if found.finding.verdict == Verdict::Refuted && self.lost_derivative(at) {
-            return Ok(gate::left_open(found));
-        }
-        if let Some(nearly) = self.nearly(at, &found)? {
-            return Ok(nearly);
+        if let Some(settled) = self.settled_by_itself(at, &found)? {
+            return Ok(settled);
         }
         let may_follow = found.finding.verdict == Verdict::Refuted || found.finding.code == Code::NoMotion;
         let Some(symbols) = self.symbols(at).filter(|_| may_follow) else {
@@ -248,20 +244,8 @@ impl Course<'_, '_> {
             return Ok(gate::as_it_counts(found));
         }
         let origin = self.scope.origin_of(at, self.checker.notes.equations.len());
-        let mut words = prose::before(self.checker.notes, origin);
-        // What comes later in a chain is said to follow.
-        if self.scope.link(at, self.checker.notes.equations.len()).is_some_and(|link| link.is_later) {
-            words.connected = !words.announced.is_supposed();
-            if words.connected {
-                words.announced = Announced::Consequence;
-            }
-        }
-        words.named.extend(self.formulas_before(origin));
-        let mut before: Vec<Premise> = self.known.iter().filter(|premise| premise.at < origin).cloned().collect();
-        before.extend(self.in_states(at, &before));
-        if self.checker.model.system.is_some() && !taken::is_static(self.checker, at) {
-            before.clear();
-        }
+        let words = self.words_before(at, origin);
+        let before = self.premises_before(at, origin);
         let sets = premises::sets(&before, &symbols, self.has_rates(at), &words.named);
         let positive = signs::positive(&self.checker.readings[at], &symbols, self.checker.model);
         if let Some(positive) = &positive
@@ -271,55 +255,20 @@ impl Course<'_, '_> {
         }
         let nearest = words.connected.then(|| premises::nearest(&before, &symbols)).flatten();
         let nearest = nearest.filter(|set| !sets.contains(set));
-        for set in sets.iter().chain(&nearest) {
-            if let Some(follows) = self.follows_from(at, set, positive.as_ref())? {
-                // What follows says in short what several premises do, so it is one too.
-                let from: Vec<usize> = set.iter().map(|premise| premise.at).collect();
-                self.confirmed.extend(&from);
-                self.take_as_premise(at, &from);
-                return Ok(gate::as_it_counts(follows));
-            }
+        let sought = Sought { words: &words, sets, nearest, positive };
+        if let Some(follows) = self.following(at, &sought)? {
+            return Ok(gate::as_it_counts(follows));
         }
         let solved = solutions::solved((at, &symbols), &before, self.checker.readings, self.checker.model);
-        for solution in &solved {
-            let found = self.equation(&self.quick, at, &solution.claim)?;
-            if let Some(found) = gate::as_following(found) {
-                // What is solved says more than the relation did: it is a premise too.
-                let found = solution.found(found);
-                self.take_for_granted(at);
-                return Ok(gate::as_it_counts(found));
-            }
+        if let Some(found) = self.solving(at, &solved)? {
+            return Ok(gate::as_it_counts(found));
         }
         if self.rests_on_doubt(at) || self.hides_a_letter(at) {
             self.take_for_granted(at);
             return Ok(gate::as_it_counts(found));
         }
-        if let Some(wrong) = self.slip(at, claim, &[], &words)? {
+        if let Some(wrong) = self.slip_from(at, claim, &sought, &solved)? {
             return Ok(wrong);
-        }
-        if let Some(positive) = &positive
-            && let Some(wrong) = self.slip(at, &positive.added_to(claim), &[], &words)?
-        {
-            return Ok(wrong);
-        }
-        let mut statements = self.checker.readings[at].statements.iter().flatten();
-        let is_constant = statements.any(|statement| statement.constant.is_some());
-        for set in premises::for_slips(&sets, is_constant).into_iter().chain(&nearest) {
-            let claim = premises::claim(set);
-            let where_positive = positive.as_ref().map(|positive| positive.added_to(&claim));
-            for claim in std::iter::once(claim).chain(where_positive) {
-                if let Some(wrong) = self.slip(at, &claim, set, &words)? {
-                    self.blamed.push((at, set.iter().map(|premise| (*premise).clone()).collect()));
-                    return Ok(wrong);
-                }
-            }
-        }
-        for solution in
-            solved.iter().filter(|solution| solution.same_symbols && words.connected).take(SOLVED_WITH_A_SLIP)
-        {
-            if let Some(wrong) = self.slip(at, &solution.claim, &[solution.of], &words)? {
-                return Ok(wrong);
-            }
         }
         self.note_doubt(at);
         self.take_for_granted(at);

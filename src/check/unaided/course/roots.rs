@@ -2,7 +2,8 @@
 //! `s^2 + 2\gamma s + \dots = 0`.
 
 use crate::Result;
-use crate::check::unaided::course::{Course, SOLVED_WITH_A_SLIP};
+use crate::check::unaided::course::Course;
+use crate::check::unaided::course::sought::SOLVED_WITH_A_SLIP;
 use crate::check::unaided::gate;
 use crate::check::unaided::premises::Premise;
 use crate::check::unaided::prose;

@@ -2,6 +2,7 @@
 //! is taken for granted, or is wrong.
 
 mod content;
+mod likely;
 
 use std::collections::HashMap;
 
@@ -13,26 +14,19 @@ use crate::latex::{Macros, Reading, read_display};
 use crate::notes::Display;
 use crate::source::Span;
 
-use crate::check::kinds::series::has_rest;
 use crate::check::model::Model;
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
-use crate::check::repair::culprit::is_common;
-use crate::check::unaided::gate::content::{FEWEST_SYMBOLS, is_content, occurrences, operations};
+use crate::check::unaided::gate::content::FEWEST_SYMBOLS;
 use crate::check::unaided::prose::{Announced, Words};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
-use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
+
+pub(super) use likely::is_likely;
 
 /// The most symbols that stand on one side only of what one slip separates from an identity.
 const MOST_ON_ONE_SIDE: usize = 2;
-
-/// The fewest symbols and operations of a series that is no triviality.
-const FEWEST_IN_SERIES: usize = 3;
-
-/// The largest number that authors leave out, or write twice, by a slip.
-const LARGEST_LOST_FACTOR: u32 = 4;
 
 /// What the correction of a display rests on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -250,7 +244,7 @@ pub(super) fn left_open(equation: Equation) -> Equation {
 }
 
 fn taken_for_granted(span: Span) -> Finding {
-    let message = "this does not follow from the other displays; it is taken for granted, and was not checked";
+    let message = "this does not follow from the other displays, so it was not checked; it is taken for granted";
     Finding::new(Code::Assumed, Verdict::Assumed, span, message)
 }
 
@@ -267,10 +261,7 @@ fn finding_as_it_counts(finding: Finding) -> Finding {
             Finding::new(Code::Holds, Verdict::Verified, finding.span, message)
         }
         Verdict::Undecided if is_untested => {
-            let message = match finding.message.split_once([';', ',']) {
-                Some((what, _)) => what.to_owned(),
-                None => finding.message.clone(),
-            };
+            let message = finding.defines.map_or(finding.message, |name| format!("defines {name}"));
             Finding::new(Code::Introduced, Verdict::Definition, finding.span, message)
         }
         Verdict::Unreadable if finding.code == Code::NeedsLimitOrSmall => {
@@ -279,191 +270,4 @@ fn finding_as_it_counts(finding: Finding) -> Finding {
         }
         _ => finding,
     }
-}
-
-/// Whether a correction makes it likely that a slip was made: it is certified, in this display, and no triviality.
-pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>) -> bool {
-    let Around { model, before, origin, basis, words, solves } = *around;
-    // What a chain introduces says nothing about its later steps.
-    let is_seen = |id: &SymbolId| before.get(id).is_some_and(|first| *first < origin);
-    let holds = matches!(repair.verdict, Verdict::Certified | Verdict::Verified);
-    if !holds || repair.idle || repair.shared.is_some() || !display.body.contains(repair.span) {
-        return false;
-    }
-    let mut corrected = display.text.clone();
-    let start = repair.span.start - display.body.start;
-    let end = repair.span.end - display.body.start;
-    if corrected.get(start..end).is_none() {
-        return false;
-    }
-    let left_out = &corrected[start..end];
-    // A factor of 0 takes a term away.
-    if repair.replacement.trim().trim_end_matches("\\,").trim() == "0" {
-        return false;
-    }
-    // Authors lose terms; they do not add terms that do not belong.
-    if repair.replacement.trim().is_empty() && left_out.contains(|c: char| c.is_ascii_alphabetic()) {
-        return false;
-    }
-    // Nor do they write a number that is not there, but for the small ones of ½, 2π and 4π.
-    let number = left_out.trim().trim_end_matches("\\,").trim().parse::<u32>();
-    if repair.replacement.trim().is_empty() && number.is_ok_and(|number| number > LARGEST_LOST_FACTOR) {
-        return false;
-    }
-    // sin θ that comes in the place of θ: the display is linearised, and means small angles.
-    let linear = ["\\sin", "\\tan", "\\sinh", "\\tanh"]
-        .iter()
-        .fold(repair.replacement.clone(), |text, name| text.replace(name, ""));
-    let letters = |text: &str| text.chars().filter(|c| c.is_alphanumeric() || *c == '\\').collect::<String>();
-    if linear != repair.replacement && letters(&linear) == letters(left_out) {
-        return false;
-    }
-    // Authors write one voltage as v_C and as V_C.
-    if left_out.contains('_') && left_out.eq_ignore_ascii_case(&repair.replacement) {
-        return false;
-    }
-    // A quotient, a power or a sum of several quantities that is put in is a relation that the notes do not print, and no lost
-    // factor. And a sign between two factors makes terms of them.
-    let has_structure = repair.replacement.contains("\\frac") || repair.replacement.contains(['/', '(', '^']);
-    let is_relation = has_structure && symbols_of(&repair.replacement, model).len() > 1;
-    if left_out.trim().is_empty() && (is_relation || parts_factors(&corrected[..start], &repair.replacement)) {
-        return false;
-    }
-    // What solves another equation becomes a solution of this one where a parenthesis unites its terms. So does what follows
-    // from other premises.
-    let parentheses = |text: &str| text.matches('(').count();
-    if (solves || basis != Basis::Definitions) && parentheses(&repair.replacement) > parentheses(left_out) {
-        return false;
-    }
-    let is_put_in = left_out.trim().is_empty();
-    corrected.replace_range(start..end, &repair.replacement);
-    let mut symbols = model.symbols.clone();
-    let reading = read_display(&corrected, &mut symbols, &model.macros);
-    let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
-    if statements.len() < reading.statements.len() {
-        return false;
-    }
-    let (before, after) = (symbols_of(&display.text, model), symbols_of(&corrected, model));
-    // In other words, what one relation says is a law of its own more often than a slip, unless the author says otherwise, or a
-    // common slip lies between many symbols.
-    let is_chain = statements.iter().any(|statement| statement.members.len() > 2);
-    let has_same = before.iter().all(|id| after.contains(id)) && after.iter().all(|id| before.contains(id));
-    let is_close = has_same
-        && is_common(repair.slip)
-        && statements.iter().any(|statement| distinct(&statement.members, model) >= FEWEST_SYMBOLS);
-    if basis == Basis::Premise && words.announced != Announced::Consequence && !is_chain && !is_close {
-        return false;
-    }
-    // A correction loses no more than one symbol: what has more of them was meant.
-    if after.len() + 1 < before.len() {
-        return false;
-    }
-    // What has a value of 0, or comes to have several new symbols, was meant as another statement.
-    let is_zero = statements.iter().any(|statement| statement.members.iter().any(Expr::is_null));
-    let mut new: Vec<&SymbolId> = after.iter().filter(|id| !before.contains(id)).collect();
-    new.dedup();
-    if after.len() > before.len() && !new.is_empty() && (is_zero || new.len() > 1) {
-        return false;
-    }
-    // What lacks a function of a symbol holds at a special value of it: at the start, at the top.
-    let is_function = ["\\sin", "\\cos", "\\tan", "e^", "\\exp"].iter().any(|name| repair.replacement.contains(name));
-    if is_put_in && !new.is_empty() && is_function {
-        return false;
-    }
-    // A name that no display before has is new, and no slip for another one. Neither is a free constant that the motion
-    // does not contain: the display says what it is.
-    let is_new = |id: &SymbolId| !is_seen(id) || model.system.is_some() && is_foreign(*id, model);
-    if before.iter().any(|id| !after.contains(id) && is_new(id)) {
-        return false;
-    }
-    // An equation of which one side is 0 is solved for a symbol that nothing determines: it is no slip for another one.
-    let is_open = |id: &&SymbolId| !matches!(model.meaning(**id), Some(Meaning::Defined(_)));
-    if is_zero && before.iter().filter(is_open).any(|id| count(&after, *id) < count(&before, *id)) && !new.is_empty() {
-        return false;
-    }
-    // A term with a defined name that the display does not have makes it say what the definition says. And a name that no
-    // display before has is not what the author meant.
-    let is_brought_in = |id: &&SymbolId| {
-        !is_seen(id) || after.len() > before.len() && matches!(model.meaning(**id), Some(Meaning::Defined(_)))
-    };
-    if new.iter().any(is_brought_in) {
-        return false;
-    }
-    // Of a motion, what lacks a term is a special case as often as a slip: a circular orbit, a length of 1.
-    let moves = |id: &SymbolId| model.coordinates.iter().any(|coordinate| coordinate.symbol == *id);
-    if model.system.is_some() && before.iter().any(moves) && after.len() > before.len() {
-        return false;
-    }
-    // A name beside its formula is a definition, and says nothing of its own, unless the formula contains the name.
-    let is_bound = |side: &Expr, other: &Expr| {
-        let others = leaves(other, model);
-        side.as_plain_symbol().is_none()
-            || is_derived(side, model)
-            || leaves(side, model).iter().all(|id| others.contains(id))
-    };
-    // Under premises a formula for a known name is a conclusion. A special case has fewer symbols than what it is a case of.
-    let concludes = words.connected
-        && matches!(basis, Basis::Premise | Basis::Premises)
-        && has_same
-        && before.len() >= FEWEST_SYMBOLS;
-    let is_claim = |pair: &&[Expr]| solves || concludes || is_bound(&pair[0], &pair[1]) && is_bound(&pair[1], &pair[0]);
-    let edited = Span::new(start, start + repair.replacement.len());
-    let is_edited = |pair: &&[Expr]| pair[0].span.to(pair[1].span).contains(edited);
-    let pairs = statements.iter().flat_map(|statement| statement.members.windows(2));
-    let mut claims = pairs.filter(is_edited).filter(is_claim).peekable();
-    // A derivative that is written out says more than its value, which is what was read.
-    let is_differentiated = |pair: &[Expr]| {
-        display.text.contains("\\partial")
-            && pair.iter().map(|side| occurrences(side, model)).sum::<usize>() >= FEWEST_SYMBOLS
-    };
-    // So does an integral.
-    let is_integrated = |pair: &[Expr]| {
-        let prints =
-            |side: &Expr| corrected.get(side.span.start..side.span.end).is_some_and(|text| text.contains("\\int"));
-        pair.iter().any(prints)
-    };
-    // And a series, of which the sides have other forms.
-    let is_expanded = |pair: &[Expr]| {
-        pair.iter().any(has_rest) && pair.iter().map(|side| operations(side, model)).sum::<usize>() >= FEWEST_IN_SERIES
-    };
-    // And a matrix of numbers that a formula of known matrices has.
-    let is_computed = |pair: &[Expr]| pair.iter().any(is_matrix) && pair.iter().any(|side| !is_matrix(side));
-    let is_printed =
-        |pair: &[Expr]| is_differentiated(pair) || is_integrated(pair) || is_expanded(pair) || is_computed(pair);
-    // What several relations are said to give says something in fewer symbols too.
-    let is_concluded = |pair: &[Expr]| {
-        concludes
-            && basis == Basis::Premises
-            && words.announced == Announced::Consequence
-            && is_common(repair.slip)
-            && pair.iter().map(|side| occurrences(side, model)).sum::<usize>() >= FEWEST_SYMBOLS - 1
-    };
-    let says_something =
-        |pair: &[Expr]| is_content(&pair[0], &pair[1], &symbols, model) || is_printed(pair) || is_concluded(pair);
-    // That a formula is constant is a claim about it, and the correction has its symbols.
-    let is_constant = |statement: &&Statement| {
-        matches!(statement.members.as_slice(), [only] if statement.constant.is_some()
-            && occurrences(only, model) >= FEWEST_SYMBOLS - 1
-            && only.span.contains(edited))
-    };
-    if basis != Basis::Definitions && has_same && statements.iter().any(is_constant) {
-        return true;
-    }
-    claims.peek().is_some() && claims.all(says_something)
-}
-
-/// Whether a sign is put in after a factor, so that what is before it and what is after it become terms.
-fn parts_factors(before: &str, replacement: &str) -> bool {
-    let ends_a_factor = before.trim_end().ends_with(|c: char| c.is_alphanumeric() || matches!(c, '}' | ')' | ']'));
-    matches!(replacement.trim(), "+" | "-") && ends_a_factor
-}
-
-/// Whether a formula is a written-out matrix of at least two rows and columns.
-fn is_matrix(formula: &Expr) -> bool {
-    matches!(&formula.node, Node::Matrix(rows) if rows.len() > 1 && rows.iter().all(|row| row.len() > 1))
-}
-
-/// How often a symbol is among some.
-fn count(symbols: &[SymbolId], id: SymbolId) -> usize {
-    symbols.iter().filter(|other| **other == id).count()
 }

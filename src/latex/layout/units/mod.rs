@@ -42,7 +42,7 @@ impl Units {
         // In Britain `ms^{-1}` is a metre per second.
         if power < 0 && unit.symbol() == "ms" {
             self.fault = Some(
-                Fault::ambiguous(span, "ms^{-1} may be a metre per second, or one by a millisecond")
+                Fault::ambiguous(span, "ms^{-1} may be a metre per second, or one per millisecond")
                     .help("write m\\,s^{-1} or (ms)^{-1}"),
             );
         }

@@ -354,9 +354,11 @@ fn degrees(whole: &Item, number: &Item, circle: &Item, next: Option<&Item>) -> I
         _ => letter_of(item).is_some_and(|c| "CFRK".contains(c)),
     };
     if next.is_some_and(is_scale) {
-        let fault =
-            Fault::unsupported(whole.span, "degrees of temperature have a zero of their own, and are not supported")
-                .help("write the temperature in kelvin, \\text{K}");
+        let fault = Fault::unsupported(
+            whole.span,
+            "a temperature in degrees is not supported, because its zero is not that of the kelvin",
+        )
+        .help("write the temperature in kelvin, \\text{K}");
         return Item { layout: Layout::Fault(fault), span: whole.span };
     }
     let Some(mut units) = Unit::degree().and_then(one) else { return whole.clone() };

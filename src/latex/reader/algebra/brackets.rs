@@ -26,7 +26,7 @@ impl Reader<'_> {
                 item.span,
                 "[a, b] may be a commutator of operators, an interval or a list",
             )
-            .help("commutators are read of matrices that are declared or written out"));
+            .help("for a commutator, write both matrices out, or declare them in the claims file, as in \"A\": \"3x3 matrix\""));
         }
         *cursor += 1;
         Ok(Some(Expr::new(Node::Commutator(Box::new(a), Box::new(b)), item.span)))

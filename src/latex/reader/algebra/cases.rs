@@ -101,7 +101,7 @@ impl Reader<'_> {
             let relations: Vec<_> = part.iter().filter_map(relation).collect();
             if relations.is_empty() {
                 let span = part.iter().map(|item| item.span).reduce(Span::to).unwrap_or(place);
-                let message = if said { "this condition compares nothing" } else { "this is no condition" };
+                let message = if said { "this condition compares nothing" } else { "this is not a condition" };
                 return Err(Fault::unsupported(span, message).help("write a comparison, such as x > 0"));
             }
             let mut members = Vec::new();

@@ -80,7 +80,7 @@ impl Reader<'_> {
                 let template = format!("\\langle {}|#|{}\\rangle", self.by_sign(bra), self.by_sign(ket));
                 Ok(self.template(&template, vec![inner], item.span))
             }
-            _ => Err(Fault::unsupported(item.span, "more than two bars in angle brackets are not supported")
+            _ => Err(Fault::unsupported(item.span, "angle brackets with more than two bars are not supported")
                 .help("write each product of states in brackets of its own")),
         }
     }

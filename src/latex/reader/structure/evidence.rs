@@ -251,7 +251,7 @@ impl Found {
                 }
                 self.above.push(letter);
             }
-            // `h^k(\\xi)`: a label, for nobody raises a function so.
+            // `h^k(\xi)`: a label, for nobody raises a function so.
             let argument = items.get(at + 1).and_then(|next| match &next.layout {
                 Layout::Fence(Delimiter::Round, inside) => match inside.as_slice() {
                     [only] => names::printed(only, None).filter(|found| found.sup.is_none()),
@@ -279,70 +279,7 @@ impl Found {
         self.has_lone_e |= item.layout == Layout::Letter('e');
         match &item.layout {
             Layout::Command(name) if name == "\\psi" || name == "\\Psi" => self.has_states = true,
-            Layout::Scripts { nucleus, sub, sup, .. } => {
-                self.has_states |= matches!(&nucleus.layout, Layout::Command(name)
-                    if ["\\partial", "\\psi", "\\Psi"].contains(&name.as_str()));
-                if let (Some(number), Some(found)) =
-                    (sup.as_deref().and_then(whole_number), names::printed(nucleus, None))
-                {
-                    match number {
-                        0 | 1 => self.components.push(found.name.base),
-                        _ if found.name.base.starts_with(|c: char| c.is_uppercase()) => {
-                            self.capitals.push(found.name.base);
-                        }
-                        _ => {}
-                    }
-                }
-                let is_partial = matches!(&nucleus.layout, Layout::Command(name) if name == "\\partial");
-                self.has_numbered_derivatives |= is_partial && sub.as_deref().and_then(whole_number).is_some();
-                if (is_partial || differential(nucleus).is_some())
-                    && let Some(sup) = sup.as_deref().and_then(|sup| names::printed(sup, None))
-                {
-                    self.orders.push(sup.name.base);
-                }
-                if names::printed(nucleus, None).is_none() {
-                    self.one(nucleus);
-                }
-                // The square of a unit vector is 1, and nobody writes it.
-                let has_power = sup.as_deref().and_then(whole_number).is_some_and(|power| power > 1);
-                self.has_operators |= has_power && has_hat(nucleus);
-                let is_epsilon = matches!(&nucleus.layout, Layout::Command(name) if ["\\epsilon", "\\varepsilon"].contains(&name.as_str()));
-                if let Some(sub) = sub {
-                    self.has_constants |=
-                        is_epsilon && contents(sub).iter().any(|item| item.layout == Layout::Number("0".to_owned()));
-                    let below = letters(sub).unwrap_or_default();
-                    self.has_pairs |= below.len() > 1;
-                    self.lower.extend(below);
-                }
-                if let Some(sup) = sup {
-                    // An index above indices: `\Gamma^k_{ij}`. Two letters above, as in `g^{kl}`, beside a pair below.
-                    if let (Some(above), Some(below)) = (letters(sup), sub.as_deref().and_then(letters))
-                        && below.len() > 1
-                    {
-                        self.lower.extend(above);
-                        self.has_pairs = true;
-                    }
-                    if let Some(above) = letters(sup).filter(|above| above.len() > 1) {
-                        self.pairs.extend(above);
-                    }
-                    if is_transpose(sup) {
-                        if let Some(found) = names::printed(nucleus, None) {
-                            self.transposed.push(found.name);
-                        }
-                        let is_upright = !matches!(contents(sup), [Item { layout: Layout::Letter('T'), .. }]);
-                        let is_bold =
-                            matches!(nucleus.layout, Layout::Style(..) | Layout::Accent(..) | Layout::Fence(..));
-                        self.transposes += 1 + usize::from(is_upright || is_bold);
-                    } else {
-                        let is_e = nucleus.layout == Layout::Letter('e');
-                        let is_figure = contents(sup)
-                            .iter()
-                            .all(|item| matches!(item.layout, Layout::Number(_) | Layout::Other('-')));
-                        self.has_exponential |= is_e && !is_figure;
-                        self.list(contents(sup));
-                    }
-                }
-            }
+            Layout::Scripts { nucleus, sub, sup, .. } => self.scripts(nucleus, sub.as_deref(), sup.as_deref()),
             Layout::Fence(Delimiter::Ket | Delimiter::Bra, _) => self.has_states = true,
             // `\langle \hat x^2 \rangle`: what has a mean value is an operator.
             Layout::Fence(Delimiter::Angle, inside) => {
@@ -359,18 +296,7 @@ impl Found {
                 self.one(a);
                 self.one(b);
             }
-            Layout::Accent(accent, inner) if accent == "\\hat" => {
-                const DIRECTIONS: [&str; 12] =
-                    ["e", "n", "r", "i", "j", "k", "x", "y", "z", "\\theta", "\\phi", "\\rho"];
-                let letter = names::printed(inner, None).map(|found| found.name.base);
-                self.has_operators |= letter.is_some_and(|letter| {
-                    letter.len() == 1
-                        && !DIRECTIONS.contains(&letter.as_str())
-                        && letter != "s"
-                        && letter != "t"
-                        && letter != "u"
-                });
-            }
+            Layout::Accent(accent, inner) if accent == "\\hat" => self.has_operators |= is_an_operator_with_hat(inner),
             Layout::Accent(accent, inner) if accent == "\\vec" => {
                 self.segments.extend(segment(inner));
                 self.one(inner);
@@ -387,20 +313,94 @@ impl Found {
             _ => {}
         }
     }
+
+    fn scripts(&mut self, nucleus: &Item, sub: Option<&Item>, sup: Option<&Item>) {
+        self.has_states |= matches!(&nucleus.layout, Layout::Command(name)
+            if ["\\partial", "\\psi", "\\Psi"].contains(&name.as_str()));
+        if let (Some(number), Some(found)) = (sup.and_then(whole_number), names::printed(nucleus, None)) {
+            match number {
+                0 | 1 => self.components.push(found.name.base),
+                _ if found.name.base.starts_with(|c: char| c.is_uppercase()) => {
+                    self.capitals.push(found.name.base);
+                }
+                _ => {}
+            }
+        }
+        let is_partial = matches!(&nucleus.layout, Layout::Command(name) if name == "\\partial");
+        self.has_numbered_derivatives |= is_partial && sub.and_then(whole_number).is_some();
+        if (is_partial || differential(nucleus).is_some())
+            && let Some(sup) = sup.and_then(|sup| names::printed(sup, None))
+        {
+            self.orders.push(sup.name.base);
+        }
+        if names::printed(nucleus, None).is_none() {
+            self.one(nucleus);
+        }
+        // The square of a unit vector is 1, and nobody writes it.
+        let has_power = sup.and_then(whole_number).is_some_and(|power| power > 1);
+        self.has_operators |= has_power && has_hat(nucleus);
+        let is_epsilon =
+            matches!(&nucleus.layout, Layout::Command(name) if ["\\epsilon", "\\varepsilon"].contains(&name.as_str()));
+        if let Some(sub) = sub {
+            self.has_constants |=
+                is_epsilon && contents(sub).iter().any(|item| item.layout == Layout::Number("0".to_owned()));
+            let below = letters(sub).unwrap_or_default();
+            self.has_pairs |= below.len() > 1;
+            self.lower.extend(below);
+        }
+        if let Some(sup) = sup {
+            self.superscript(nucleus, sub, sup);
+        }
+    }
+
+    fn superscript(&mut self, nucleus: &Item, sub: Option<&Item>, sup: &Item) {
+        // An index above indices: `\Gamma^k_{ij}`. Two letters above, as in `g^{kl}`, beside a pair below.
+        if let (Some(above), Some(below)) = (letters(sup), sub.and_then(letters))
+            && below.len() > 1
+        {
+            self.lower.extend(above);
+            self.has_pairs = true;
+        }
+        if let Some(above) = letters(sup).filter(|above| above.len() > 1) {
+            self.pairs.extend(above);
+        }
+        if is_transpose(sup) {
+            if let Some(found) = names::printed(nucleus, None) {
+                self.transposed.push(found.name);
+            }
+            let is_upright = !matches!(contents(sup), [Item { layout: Layout::Letter('T'), .. }]);
+            let is_bold = matches!(nucleus.layout, Layout::Style(..) | Layout::Accent(..) | Layout::Fence(..));
+            self.transposes += 1 + usize::from(is_upright || is_bold);
+        } else {
+            let is_e = nucleus.layout == Layout::Letter('e');
+            let is_figure =
+                contents(sup).iter().all(|item| matches!(item.layout, Layout::Number(_) | Layout::Other('-')));
+            self.has_exponential |= is_e && !is_figure;
+            self.list(contents(sup));
+        }
+    }
+}
+
+/// Whether a letter with a hat is an operator, and no direction.
+fn is_an_operator_with_hat(inner: &Item) -> bool {
+    const DIRECTIONS: [&str; 12] = ["e", "n", "r", "i", "j", "k", "x", "y", "z", "\\theta", "\\phi", "\\rho"];
+    let letter = names::printed(inner, None).map(|found| found.name.base);
+    letter.is_some_and(|letter| {
+        letter.len() == 1 && !DIRECTIONS.contains(&letter.as_str()) && letter != "s" && letter != "t" && letter != "u"
+    })
 }
 
 /// The letters above the names of a list with a rate in it, `(q^i, \dot q^i, t)`: nobody passes powers on.
 fn indexed_arguments(items: &[Item]) -> Vec<String> {
     let parts: Vec<&[Item]> = items.split(|item| item.layout == Layout::Other(',')).collect();
-    let lone = |part: &&[Item]| match part
-        .iter()
-        .filter(|item| !matches!(item.layout, Layout::Space(_)))
-        .collect::<Vec<_>>()[..]
-    {
-        [only] => names::printed(only, None).map(|_| only.clone()),
-        _ => None,
+    let lone = |part: &[Item]| -> Option<Item> {
+        let mut solid = part.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+        match (solid.next(), solid.next()) {
+            (Some(only), None) => names::printed(only, None).map(|_| only.clone()),
+            _ => None,
+        }
     };
-    let arguments: Vec<Item> = parts.iter().filter_map(lone).collect();
+    let arguments: Vec<Item> = parts.iter().filter_map(|part| lone(part)).collect();
     match arguments.len() == parts.len() && parts.len() > 1 && arguments.iter().any(is_rate) {
         true => arguments.iter().filter_map(letter_above).collect(),
         false => Vec::new(),

@@ -7,7 +7,7 @@ use crate::source::{Fault, Span};
 use super::super::super::layout::{Delimiter, Item, Layout};
 use super::super::super::names;
 use super::super::super::rows::relation;
-use super::super::items::{contents, differential, is_any_integral, is_big_sum, joint, whole_number};
+use super::super::items::{contents, differential, has_sign_second, is_any_integral, is_big_sum, joint, whole_number};
 use super::super::state::{Read, Reader};
 use super::super::undeclared::is_constant_before_an_integral;
 use super::named_functions::is_named;
@@ -192,9 +192,7 @@ impl Reader<'_> {
             _ => (String::new(), above),
         };
         let (Some(first), Some(lower)) = (above.first(), below.first()) else { return Ok(None) };
-        // `\frac{d-2}{d-1}`: a letter, and no derivative.
-        let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
-        if [above, below].iter().any(|part| part.get(1).is_some_and(is_sign)) {
+        if [above, below].into_iter().any(has_sign_second) {
             return Ok(None);
         }
         let (Some(mark), Some(_)) = (mark(first), mark_alone(lower)) else { return Ok(None) };

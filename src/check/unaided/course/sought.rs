@@ -1,0 +1,126 @@
+//! From what a display may follow, and with what a slip in it is sought.
+
+use crate::Result;
+use crate::check::unaided::course::{Course, Sought, taken};
+use crate::check::unaided::gate;
+use crate::check::unaided::premises::{self, Premise};
+use crate::check::unaided::prose::{self, Announced, Words};
+use crate::check::unaided::solutions::Solution;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::report::Equation;
+use crate::notes::claims::Claim;
+
+/// The most relations that a display with a slip is taken to solve.
+pub(super) const SOLVED_WITH_A_SLIP: usize = 2;
+
+impl Course<'_, '_> {
+    /// The finding on a display that needs nothing before it: on numbers, on an example, on a value in a special case, or on ≈.
+    pub(super) fn settled_by_itself(&mut self, at: usize, found: &Equation) -> Result<Option<Equation>> {
+        // Numbers are wrong by themselves, whatever the letters mean, unless they are only supposed.
+        if let Some(found) = gate::wrong_numbers(found) {
+            let is_supposed = prose::before(self.checker.notes, at).announced.is_supposed();
+            return Ok(Some(if is_supposed { gate::as_it_counts(found) } else { found }));
+        }
+        if let Some(found) = self.example(at, found)? {
+            return Ok(Some(found));
+        }
+        if let Some(found) = self.special_value(at, found)? {
+            return Ok(Some(found));
+        }
+        if found.finding.verdict == Verdict::Refuted && self.lost_derivative(at) {
+            return Ok(Some(gate::left_open(found.clone())));
+        }
+        self.nearly(at, found)
+    }
+
+    /// The words before a display, or before the chain of which it is a step.
+    pub(super) fn words_before(&self, at: usize, origin: usize) -> Words {
+        let mut words = prose::before(self.checker.notes, origin);
+        // What comes later in a chain is said to follow.
+        if self.scope.link(at, self.checker.notes.equations.len()).is_some_and(|link| link.is_later) {
+            words.connected = !words.announced.is_supposed();
+            if words.connected {
+                words.announced = Announced::Consequence;
+            }
+        }
+        words.named.extend(self.formulas_before(origin));
+        words
+    }
+
+    /// The relations before a display from which it may follow. Beside a motion, only what is about constants has any.
+    pub(super) fn premises_before(&self, at: usize, origin: usize) -> Vec<Premise> {
+        let mut before: Vec<Premise> = self.known.iter().filter(|premise| premise.at < origin).cloned().collect();
+        before.extend(self.in_states(at, &before));
+        if self.checker.model.system.is_some() && !taken::is_static(self.checker, at) {
+            before.clear();
+        }
+        before
+    }
+
+    /// The finding that a display follows from premises.
+    pub(super) fn following(&mut self, at: usize, sought: &Sought<'_>) -> Result<Option<Equation>> {
+        for set in sought.sets.iter().chain(&sought.nearest) {
+            if let Some(follows) = self.follows_from(at, set, sought.positive.as_ref())? {
+                // What follows says in short what several premises do, so it is one too.
+                let from: Vec<usize> = set.iter().map(|premise| premise.at).collect();
+                self.confirmed.extend(&from);
+                self.take_as_premise(at, &from);
+                return Ok(Some(follows));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The finding that a display solves a relation before it.
+    pub(super) fn solving(&mut self, at: usize, solved: &[Solution<'_>]) -> Result<Option<Equation>> {
+        for solution in solved {
+            let found = self.equation(&self.quick, at, &solution.claim)?;
+            if let Some(found) = gate::as_following(found) {
+                // What is solved says more than the relation did: it is a premise too.
+                let found = solution.found(found);
+                self.take_for_granted(at);
+                return Ok(Some(found));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The finding that a slip separates a display from what follows: from definitions alone, from premises, or from a relation
+    /// that it solves.
+    pub(super) fn slip_from(
+        &mut self,
+        at: usize,
+        claim: &Claim,
+        sought: &Sought<'_>,
+        solved: &[Solution<'_>],
+    ) -> Result<Option<Equation>> {
+        if let Some(wrong) = self.slip(at, claim, &[], sought.words)? {
+            return Ok(Some(wrong));
+        }
+        if let Some(positive) = &sought.positive
+            && let Some(wrong) = self.slip(at, &positive.added_to(claim), &[], sought.words)?
+        {
+            return Ok(Some(wrong));
+        }
+        let mut statements = self.checker.readings[at].statements.iter().flatten();
+        let is_constant = statements.any(|statement| statement.constant.is_some());
+        for set in premises::for_slips(&sought.sets, is_constant).into_iter().chain(&sought.nearest) {
+            let claim = premises::claim(set);
+            let where_positive = sought.positive.as_ref().map(|positive| positive.added_to(&claim));
+            for claim in std::iter::once(claim).chain(where_positive) {
+                if let Some(wrong) = self.slip(at, &claim, set, sought.words)? {
+                    self.blamed.push((at, set.iter().map(|premise| (*premise).clone()).collect()));
+                    return Ok(Some(wrong));
+                }
+            }
+        }
+        for solution in
+            solved.iter().filter(|solution| solution.same_symbols && sought.words.connected).take(SOLVED_WITH_A_SLIP)
+        {
+            if let Some(wrong) = self.slip(at, &solution.claim, &[solution.of], sought.words)? {
+                return Ok(Some(wrong));
+            }
+        }
+        Ok(None)
+    }
+}
