@@ -45,6 +45,8 @@ mod own_system;
 mod preconditions;
 #[path = "checks/prose_claims.rs"]
 mod prose_claims;
+#[path = "checks/prose_formulas.rs"]
+mod prose_formulas;
 #[path = "checks/rates.rs"]
 mod rates;
 #[path = "checks/repairs.rs"]

@@ -141,6 +141,8 @@ pub struct Inferred {
     pub segments: HashSet<String>,
     /// The letters that have a 0 or a 1 above them somewhere, as components have and powers have not.
     pub component_letters: HashSet<String>,
+    /// The letters that have two index letters above them somewhere, so that two digits above them are indices too.
+    pub tensor_letters: HashSet<String>,
     /// Whether letters have two indices somewhere in the display, so that a letter above may be one too.
     pub has_tensors: bool,
     /// Whether letters with a hat are operators.

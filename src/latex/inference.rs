@@ -320,9 +320,22 @@ impl Evidence {
             && delimiter == Delimiter::Round
             && !is_powered;
         let is_remainder = is_usual || is_distribution || ["O", "\\mathcal{O}"].contains(&name.base.as_str());
+        // `r(t + \Delta t) = …`: a whole side that is taken at another time.
+        let is_moved = is_side
+            && arguments.len() == 1
+            && trimmed(inside)
+                .first()
+                .and_then(|first| names::printed(first, None))
+                .is_some_and(|found| Some(&found.name) == self.time.as_ref())
+            && inside.iter().any(|item| matches!(item.layout, Layout::Other('+' | '-')));
         let is_call = match delimiter {
             Delimiter::Round => {
-                plain.is_some() || is_zero || arguments.len() > 1 || is_remainder || inside.iter().any(is_given)
+                is_moved
+                    || plain.is_some()
+                    || is_zero
+                    || arguments.len() > 1
+                    || is_remainder
+                    || inside.iter().any(is_given)
             }
             // `S[q]`, the value of a functional; `S[q^i]`.
             Delimiter::Square => {

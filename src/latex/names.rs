@@ -206,7 +206,17 @@ fn subscript(item: &Item, branch: Option<Sign>, tokens: &mut Vec<String>) -> Opt
             _ => tokens.push(name.clone()),
         },
         Layout::Space(_) => {}
-        Layout::Group(items) => items.iter().try_for_each(|inner| subscript(inner, branch, tokens))?,
+        // `\omega_{1,2} = … \pm …`: the first index has the upper sign.
+        Layout::Group(items) => match (items.as_slice(), branch) {
+            ([first, Item { layout: Layout::Other(','), .. }, second], Some(sign))
+                if [first, second]
+                    .iter()
+                    .all(|index| matches!(index.layout, Layout::Number(_) | Layout::Other('+' | '-'))) =>
+            {
+                subscript(if sign == Sign::Plus { first } else { second }, branch, tokens)?;
+            }
+            _ => items.iter().try_for_each(|inner| subscript(inner, branch, tokens))?,
+        },
         Layout::Fence(Delimiter::Round, items) => {
             tokens.push("(".to_owned());
             items.iter().try_for_each(|inner| subscript(inner, branch, tokens))?;

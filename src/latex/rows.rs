@@ -94,6 +94,7 @@ fn whole(items: &[Item]) -> Option<&[Vec<Vec<Item>>]> {
             | "displaymath"
             | "dmath"
             | "dgroup"
+            | "subequations"
     );
     // `\begin{array}{rcl} a & = & b \end{array}`
     let has_relation = |row: &Vec<Vec<Item>>| row.iter().flatten().any(|item| relation(item).is_some());

@@ -6,6 +6,7 @@
 use nalgebra::{DMatrix, DVector, Dyn, Matrix3};
 use num_dual::linalg::LU;
 
+use crate::code::Code;
 use crate::scalar::{Number, up_to};
 use crate::{Error, Result};
 
@@ -134,7 +135,8 @@ pub(crate) fn eliminate<D: Number>(what: &str, matrix: DMatrix<D>, right: Vec<D>
 }
 
 fn refused(what: &str, condition: f64) -> Error {
-    let message = if condition.is_nan() {
+    let is_outside = condition.is_nan();
+    let message = if is_outside {
         format!("the {what} is not finite at this state")
     } else if condition.is_finite() {
         format!(
@@ -143,10 +145,12 @@ fn refused(what: &str, condition: f64) -> Error {
     } else {
         format!("the {what} is singular (condition number ∞)")
     };
-    Error::new(message).help(
+    let error = Error::new(message).help(
         "check that L depends on every velocity; \
          if only the coordinates are singular here, as Euler angles are where sin θ = 0, choose other states",
-    )
+    );
+    // L may have no value here, as that of a particle faster than light.
+    if is_outside { error.with_code(Code::NoState) } else { error }
 }
 
 #[cfg(test)]

@@ -147,3 +147,36 @@ $$ \frac{df}{ds} = \frac{\cosh s - s\sinh s}{\cosh^2 s} $$
     let (found, _) = verdicts("derivative-both", &notes.replace(r"\frac{s}{\cosh s}", r"\frac{y}{\cosh s}"));
     assert!(!["certified", "verified", "refuted"].contains(&found.last().map_or("", String::as_str)), "{found:?}");
 }
+
+const PLANET: &str = r"The Lagrangian is
+
+$$ L = \frac m2\left(\dot r^2 + r^2\dot\varphi^2\right) + \frac\alpha r . $$
+
+The momentum and the energy are
+
+$$ M = m r^2\dot\varphi , \qquad E = \frac m2\dot r^2 + \frac{M^2}{2mr^2} - \frac\alpha r . $$
+
+The turning points are the roots of
+
+$$ E r^2 + \alpha r - \frac{M^2}{2m} = 0 . $$
+";
+
+#[test]
+fn what_holds_at_an_instant_alone_is_not_called_wrong() {
+    let (found, _) = verdicts("turning", PLANET);
+    assert_ne!(found[2], "refuted");
+    let (found, _) =
+        verdicts("general", &PLANET.replace("The turning points are the roots of", "Hence we have in general"));
+    assert_eq!(found[2], "refuted");
+    // a pendulum that turns back rests nowhere
+    let pendulum = r"A pendulum in a train moves by
+
+$$ l \ddot\theta = -g \sin\theta - a \cos\theta $$
+
+If it starts at $\theta = 0$, it comes to rest again at the angle $\theta_m$ with
+
+$$ \tan\frac{\theta_m}{2} = -\frac ag $$
+";
+    let (found, _) = verdicts("train", pendulum);
+    assert_ne!(found[1], "refuted");
+}

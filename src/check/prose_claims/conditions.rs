@@ -12,6 +12,7 @@ use crate::notes::claims::{Claim, Declaration, Range, Spanned};
 
 use super::notes_names::NotesNames;
 use super::places::is_value_of;
+use super::sought::INSTANTS;
 use super::words::{REST, Sentence};
 use super::{ProseClaim, spanned};
 
@@ -68,6 +69,7 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
         for words in &sentences[skipped..] {
             case.add(names, (words, &words.formulas));
             case.turns(names, display, words);
+            case.stops(names, at, words);
         }
         if let Some(words) = sentences.last() {
             case.add(names, (words, &inside(&names.notes.equations[display].text)));
@@ -213,6 +215,21 @@ impl Case {
             return;
         }
         self.assume.push(format!("{member} = {value}"));
+    }
+
+    /// Adds that the coordinates of a display do not change at the instant of which the words speak: "the turning points are the roots
+    /// of".
+    fn stops(&mut self, names: &NotesNames<'_>, at: usize, words: &Sentence) {
+        if !words.says_phrase(&INSTANTS) {
+            return;
+        }
+        let text = &names.notes.equations[at].text;
+        for (declared, _) in names.coordinates().filter(|(one, _)| names.has_name(text, &one.name.value)) {
+            let stops = format!("\\dot{{{}}} = 0", declared.name.value);
+            if !self.assume.contains(&stops) {
+                self.assume.push(stops);
+            }
+        }
     }
 
     /// Adds that a name that a display gives a formula is the rate of the angle, where the words call it so and other coordinates

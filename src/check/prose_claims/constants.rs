@@ -33,7 +33,7 @@ const POSITIVE: [&str; 16] = [
 ];
 
 /// Names that have a meaning without a declaration.
-const KNOWN: [&str; 5] = ["t", "e", "i", "d", "\\pi"];
+pub(super) const KNOWN: [&str; 5] = ["t", "e", "i", "d", "\\pi"];
 
 /// The bytes before a formula in which its noun is sought.
 const NEAR: usize = 40;
@@ -81,6 +81,36 @@ pub(super) fn infer(notes_names: &NotesNames<'_>, places: &[Place]) -> Vec<Prose
         found.push(ProseClaim {
             why: format!("{name} is a constant, which line {line} of the notes introduces"),
             constants: vec![(name, range)],
+            displays,
+            is_enough: true,
+            ..ProseClaim::default()
+        });
+    }
+    found.extend(first_values(notes_names, &found));
+    found
+}
+
+/// The x_0 of `x = x_0 + vt`: the value of a coordinate that displays beside the coordinate have, and nothing declares.
+fn first_values(notes_names: &NotesNames<'_>, known: &[ProseClaim]) -> Vec<ProseClaim> {
+    let mut found = Vec::new();
+    for usage in &notes_names.usages {
+        let name = usage.name.to_string();
+        let is_first = usage.name.subscript == ["0"]
+            && notes_names.coordinates().any(|(_, coordinate)| is_value_of(&usage.name, &coordinate));
+        let is_known = notes_names.is_declared(&name)
+            || known.iter().any(|claim| claim.constants.iter().any(|(other, _)| *other == name));
+        let moves = usage.moves || usage.arguments.is_some() || usage.differentiates;
+        if !is_first || is_known || moves || is_given(notes_names, &name) {
+            continue;
+        }
+        let displays: Vec<usize> =
+            notes_names.displays_with(&name).into_iter().filter(|at| notes_names.is_free(*at)).collect();
+        if displays.is_empty() || displays.iter().any(|at| !notes_names.has_coordinates(*at)) {
+            continue;
+        }
+        found.push(ProseClaim {
+            why: format!("{name} is a constant, a value of the coordinate"),
+            constants: vec![(name, Range::Any)],
             displays,
             is_enough: true,
             ..ProseClaim::default()

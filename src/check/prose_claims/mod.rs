@@ -13,18 +13,22 @@
 //! | `frequencies` | frequencies and periods of small oscillations, secular equations |
 //! | `quantities` | effective potentials, and what is said to be conserved |
 //! | `constants` | names that only the prose introduces |
+//! | `formulas` | names that formulas in sentences define, or tie to others |
 //! | `initial_values` | where a motion begins that is released from rest |
 //! | `conditions` | special cases, for displays that fail without them |
+//! | `sought` | equations for something that is sought, which nothing refutes |
 //!
 //! Knows the whole check of a document, [`check_in`], and no notes without claims.
 
 mod conditions;
 mod constants;
+mod formulas;
 mod frequencies;
 mod initial_values;
 mod notes_names;
 mod places;
 mod quantities;
+mod sought;
 mod words;
 
 use std::cell::OnceCell;
@@ -63,6 +67,8 @@ pub(crate) struct ProseClaim {
     refutes: Refutes,
     /// Constants, with their ranges.
     constants: Vec<(String, Range)>,
+    /// Definitions, as under `define`.
+    definitions: Vec<(String, String)>,
     /// What names mean, as under `means`.
     means: Vec<(String, String)>,
     /// Claims about displays, by their places.
@@ -71,6 +77,8 @@ pub(crate) struct ProseClaim {
     displays: Vec<usize>,
     /// Whether one display that passes is enough, where none fails.
     is_enough: bool,
+    /// Whether a sentence states it outright. A display may then be wrong with it, or about a special case, if others pass.
+    is_said: bool,
     /// Whether a display of it is refuted, so that edits decide.
     is_doubtful: bool,
     /// What is said in the report.
@@ -101,6 +109,9 @@ pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document
         None => check_in(run, &added(&with, notes, &special), notes)?,
     };
     said.extend(special);
+    if has_lagrangian(claims) {
+        sought::leave_open(&NotesNames::of(claims, notes), &mut found);
+    }
     found.inferred.extend(said.iter().map(|claim| claim.why.clone()).filter(|why| !why.is_empty()));
     Ok(found)
 }
@@ -296,6 +307,7 @@ pub(crate) fn infer(claims: &Claims, notes: &Notes) -> Vec<ProseClaim> {
     said.extend(quantities::infer(&names));
     if claims.guesses.is_none() {
         said.extend(constants::infer(&names, &places));
+        said.extend(formulas::infer(&names));
     }
     said.extend(initial_values::infer(&names, &places));
     said.extend(places.into_iter().map(|place| place.claim));
@@ -327,6 +339,8 @@ pub(crate) fn added(claims: &Claims, notes: &Notes, said: &[ProseClaim]) -> Clai
                 is_formula: false,
             });
         }
+        let defined = claim.definitions.iter().map(|(name, formula)| (spanned(name.clone()), spanned(formula.clone())));
+        with.define.extend(defined);
         with.means.extend(claim.means.iter().map(|(name, what)| (spanned(name.clone()), spanned(what.clone()))));
         for (at, new) in &claim.claims {
             let Some(id) = notes.equations[*at].id() else { continue };
@@ -369,6 +383,11 @@ impl ProseClaim {
     /// Whether its displays pass with it or are refuted, so that edits may make them pass.
     fn may_stand(&mut self, found: &Document, notes: &Notes) -> bool {
         let findings = self.findings(found, notes);
+        if self.is_said {
+            let refuted = findings.iter().filter(|equation| is_refuted(equation)).count();
+            let passing = findings.iter().filter(|equation| passes(equation)).count();
+            return passing > 0 && passing >= refuted;
+        }
         self.is_doubtful = findings.iter().any(|equation| is_refuted(equation));
         // Counterexamples are found later.
         let may_refute = |equation: &Equation| self.refutes != Refutes::Never && is_refuted(equation);

@@ -96,6 +96,13 @@ impl<'a> NotesNames<'a> {
         self.has_name(&self.notes.equations[at].text, name)
     }
 
+    /// The names in a formula.
+    pub fn names_in(&self, formula: &str) -> Vec<Name> {
+        let Some(display) = self.notes.equations.first() else { return Vec::new() };
+        let display = Display { text: formula.to_owned(), ..display.clone() };
+        names_of(std::slice::from_ref(&display), &self.macros).into_iter().map(|usage| usage.name).collect()
+    }
+
     /// Whether a formula does.
     pub fn has_name(&self, formula: &str, name: &str) -> bool {
         let (Some((name, _)), Some(display)) = (names::parse(name), self.notes.equations.first()) else { return false };

@@ -115,6 +115,15 @@ impl Sentence {
         })
     }
 
+    /// Whether it ends with the words of one of these phrases; each is the beginning of a word.
+    pub fn ends_with(&self, phrases: &[&str]) -> bool {
+        phrases.iter().any(|phrase| {
+            let parts: Vec<&str> = phrase.split(' ').collect();
+            let last = self.words.len().checked_sub(parts.len()).map(|from| &self.words[from..]);
+            last.is_some_and(|last| last.iter().zip(&parts).all(|(word, part)| word.starts_with(part)))
+        })
+    }
+
     /// Whether it denies or doubts something.
     pub fn denies(&self) -> bool {
         self.has_word(&["not", "no", "never", "would", "cannot", "unless", "nicht", "kein", "pas", "non"])

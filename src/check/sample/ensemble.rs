@@ -14,6 +14,7 @@
 
 use std::sync::Arc;
 
+use crate::code::Code;
 use crate::notes::claims::Range;
 use crate::scalar::RunningError;
 use crate::{Error, Result};
@@ -78,6 +79,8 @@ impl<'m> Ensemble<'m> {
                     bases.push(base);
                 }
                 Ok(None) => {}
+                // L has no value there.
+                Err(error) if error.code() == Code::NoState => {}
                 Err(error) => failure = Some(error),
             }
         }

@@ -55,7 +55,7 @@ fn too_deep(span: Span, what: &str) -> Item {
 
 pub(super) struct Parser<'a> {
     pub(super) tokens: &'a [Token],
-    at: usize,
+    pub(super) at: usize,
     depth: usize,
     length: usize,
     /// Whether the list being read stands directly in angle brackets.
@@ -384,6 +384,7 @@ impl<'a> Parser<'a> {
                 self.argument(span);
                 Layout::Command(format!("\\{}", &name[2..]))
             }
+            "\\underset" if self.is_underset_operator() => return self.underset(span),
             "\\left" => return self.left(span),
             "\\begin" => return self.environment(span),
             "\\{" => return self.fence(Delimiter::Curly, span),

@@ -3,7 +3,7 @@
 use crate::source::{Fault, Span};
 
 use super::super::lexer::TokenKind;
-use super::item::{Item, Layout};
+use super::item::{Item, Layout, letters};
 use super::parser::{Parser, fault, of_fault};
 
 impl Parser<'_> {
@@ -98,6 +98,29 @@ impl Parser<'_> {
         }
         let span = nucleus.span.to(Span::at(self.previous_end()));
         Item { layout: Layout::Scripts { nucleus: Box::new(nucleus), sub, sup, primes }, span }
+    }
+
+    /// Whether `\underset{x}{\min}` follows, up to its operator.
+    pub(super) fn is_underset_operator(&mut self) -> bool {
+        const WORDS: [&str; 10] =
+            ["min", "max", "sup", "inf", "argmin", "argmax", "minimize", "maximize", "minimum", "maximum"];
+        let at = self.at;
+        self.argument(Span::at(self.previous_end()));
+        let operator = self.argument(Span::at(self.previous_end()));
+        self.at = at;
+        WORDS.contains(&letters(&operator).trim_start_matches('\\'))
+    }
+
+    /// `\underset{x}{\min}`, which is `\min_x`.
+    pub(super) fn underset(&mut self, span: Span) -> Item {
+        let below = self.argument(span);
+        let nucleus = match self.argument(span) {
+            Item { layout: Layout::Group(mut items), .. } if items.len() == 1 => items.remove(0),
+            nucleus => nucleus,
+        };
+        let span = span.to(Span::at(self.previous_end()));
+        let layout = Layout::Scripts { nucleus: Box::new(nucleus), sub: Some(Box::new(below)), sup: None, primes: 0 };
+        Item { layout, span }
     }
 }
 

@@ -259,7 +259,7 @@ impl<'a> Splitter<'a, '_> {
     fn take_relation_or_item(&mut self) {
         let item = self.item();
         let found = match (&item.layout, self.items.get(self.at + 1).map(|next| &next.layout)) {
-            (Layout::Other(':'), Some(Layout::Other('='))) => {
+            (Layout::Other(':'), Some(Layout::Other('='))) | (Layout::Other('='), Some(Layout::Other(':'))) => {
                 self.at += 1;
                 Some(Relation::Identical)
             }

@@ -30,6 +30,9 @@ impl Reader<'_> {
         {
             return Ok(found);
         }
+        if self.symbols.open {
+            self.is_no_lost_index(items)?;
+        }
         let mut terms: Vec<Term> = Vec::new();
         let mut at = 0;
         let mut pending: Option<(Sign, Span)> = None;

@@ -70,6 +70,23 @@ fn what_is_inserted_behind_a_space_is_not_continued() {
 }
 
 #[test]
+fn sums_indices_and_sides() {
+    are_read(&[
+        ("y_j = \\sum_i A_{ij} + b_j", "y_j = Σ_{i}(A_{ij}) + b_j"),
+        ("y = \\sum_i x_i + \\sum_i y_i", "y = Σ_{i}(x_i) + Σ_{i}(y_i)"),
+        ("A^{11} = A^{22} = a, \\quad A^{ij} = A^{ji}", "A^{11} = A^{22} = a ¦ A^{ij} = A^{ji}"),
+        ("ds^2 = \\delta^{ij}dx^i dx^j", "ds^2 = δ^{ij}·dx^{i}·dx^{j}"),
+        ("r(t + \\Delta t) = r(t - \\Delta t) + f(t) \\Delta t", "r(t + Δt) = r(t − Δt) + f(t)·Δt"),
+        ("T_{ij} = E_i E_j - \\delta_{ij}(E^2 + B^2)", "T_{ij} = E_i·E_j − δ_{ij}·(E^2 + B^2)"),
+        ("y = \\underset{x}{\\min} f(x)", "y = min_{x}(f(x))"),
+        ("\\omega_{1,2}^2 = a \\pm b", "ω_1^2 = a + b ¦ ω_2^2 = a − b"),
+        ("b =: a", "b ≡ a"),
+    ]);
+    // a letter of Σ behind its sum, a function with an accent, letters that are no indices
+    are_refused(&["y = \\sum_i x_i^2 + y_i^2", "y = \\bar V(p - q)", "y = x^{ab}"]);
+}
+
+#[test]
 fn other_spellings_are_read_alike() {
     for (typed, usual) in [
         ("\\frac{{\\partial}g}{{\\partial}r} = 1", "\\frac{\\partial g}{\\partial r} = 1"),

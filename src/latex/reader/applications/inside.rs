@@ -54,7 +54,13 @@ pub(super) fn is_function(entry: &Entry) -> bool {
     let base = entry.name.base.as_str();
     let is_ornate =
         ["\\mathcal{", "\\mathscr{", "\\mathbb{", "\\mathfrak{"].iter().any(|style| base.starts_with(style));
-    entry.name.primes > 0 || FUNCTIONS.contains(&base) || is_ornate
+    // `\bar V(p - q)` is a function as V is.
+    let plain = names::unaccented(&entry.name);
+    // `\delta_{ij}(a + b)`: Kronecker's delta is a factor.
+    if base == "\\delta" && entry.name.subscript.len() > 1 {
+        return false;
+    }
+    entry.name.primes > 0 || FUNCTIONS.contains(&plain.base.as_str()) || is_ornate
 }
 
 /// Whether a name stands anywhere in an item as a letter of its own, and in no parentheses of a name.

@@ -109,7 +109,8 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
         Layout::Fence(_, inner) => inner.iter().any(is_place),
         _ => is_place(item),
     });
-    let is_known = always.contains(&base) && !is_rate || is_legendre || base.starts_with("\\mathcal{");
+    let is_kronecker = base == "\\delta" && name.subscript.len() > 1;
+    let is_known = always.contains(&base) && !is_rate && !is_kronecker || is_legendre || base.starts_with("\\mathcal{");
     // U_0 is the value of U at a place, and a factor: `U_0(1 - x/a)`, `V_0(x - a)^2`.
     let is_value = name.subscript == ["0"];
     is_known && name.primes == 0

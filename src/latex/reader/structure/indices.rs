@@ -32,6 +32,8 @@ pub(in super::super::super) fn note_indices(items: &[Item], inferred: &mut Infer
     let found = Found::of(items);
     let certain = found.certain();
     inferred.has_tensors |= !certain.is_empty();
+    let is_indexed = |(_, run): &&(String, Vec<String>)| found.is_run_of_indices(run);
+    inferred.tensor_letters.extend(found.tensors.iter().filter(is_indexed).map(|(base, _)| base.clone()));
     inferred.index_letters.extend(certain);
 }
 
@@ -50,6 +52,8 @@ struct Found {
     of_a_list: Vec<String>,
     /// Two letters or more above a letter.
     runs: Vec<Vec<String>>,
+    /// The same with the letter below them.
+    tensors: Vec<(String, Vec<String>)>,
     /// The letters below letters, ∂ and ∇.
     below: Vec<String>,
     /// The letters that stand alone above a parenthesis, `(x^\alpha)^\beta`, and are powers.
@@ -73,9 +77,11 @@ impl Found {
         let is_greek = |letter: &String| GREEK.contains(&letter.as_str());
         let is_latin = |letter: &String| matches!(letter.as_bytes(), [b'i'..=b's']);
         let is_usual = |letter: &String| matches!(letter.as_bytes(), [b'i'..=b'l']);
+        // `R^{ij} R^{jk} = S^{ik}`, `\delta^{ij} dx^i dx^j`: each letter stands above another letter too.
         let is_again = || {
-            let same = |other: &&Vec<String>| run.iter().all(|letter| other.contains(letter));
-            self.runs.iter().filter(same).count() > 1
+            run.iter().all(|letter| {
+                self.runs.iter().filter(|other| other.contains(letter)).count() > 1 || self.alone.contains(letter)
+            })
         };
         let are_letters = run.iter().all(|letter| is_greek(letter) || is_latin(letter));
         let is_free = !run.iter().any(|letter| self.bound.contains(letter) || self.powers.contains(letter));
@@ -131,7 +137,15 @@ impl Found {
         if let Some(above) = letters_above(item) {
             match above.as_slice() {
                 [only] => self.alone.push(only.clone()),
-                _ => self.runs.push(above),
+                _ => {
+                    let base = if let Layout::Scripts { nucleus, .. } = &item.layout {
+                        names::printed(nucleus, None)
+                    } else {
+                        None
+                    };
+                    self.tensors.extend(base.map(|found| (found.name.base, above.clone())));
+                    self.runs.push(above);
+                }
             }
         }
         match &item.layout {

@@ -76,7 +76,12 @@ impl Reader<'_> {
         match &base.node {
             Node::Symbol { id, .. } => {
                 let name = &self.symbols.entry(*id).name;
-                matches!(whole_number(sup), Some(0..=4)) && self.symbols.inferred.component_letters.contains(&name.base)
+                // `A^{11}` beside `A^{ij}`
+                let are_two = matches!(contents(sup), [Item { layout: Layout::Number(digits), .. }]
+                    if digits.len() == 2 && digits.chars().all(|digit| ('0'..='4').contains(&digit)));
+                are_two && self.symbols.inferred.tensor_letters.contains(&name.base)
+                    || matches!(whole_number(sup), Some(0..=4))
+                        && self.symbols.inferred.component_letters.contains(&name.base)
             }
             _ => false,
         }

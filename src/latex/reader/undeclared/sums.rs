@@ -6,7 +6,8 @@ use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Item, Layout};
 use super::super::super::names;
-use super::super::items::{contents, extent};
+use super::super::super::rows::relation;
+use super::super::items::{contents, extent, is_big_product, is_big_sum, parts};
 use super::super::state::{Read, Reader};
 use super::super::structure::printed;
 use super::simple_text;
@@ -51,6 +52,31 @@ impl Reader<'_> {
         Ok(self.operate(&name, Operator::Same, vec![body?], span))
     }
 
+    /// Rejects `\sum_i x_i + y_i`, where a letter of Σ stands as an index in a term after it, and in none before.
+    pub(in super::super) fn is_no_lost_index(&self, items: &[Item]) -> Read<()> {
+        let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
+        let terms: Vec<&[Item]> = items.split(is_sign).collect();
+        let mut bound: Vec<String> = Vec::new();
+        for (at, term) in terms.iter().enumerate() {
+            let own: Vec<String> = term.iter().flat_map(letters_of_a_sum).collect();
+            let is_lost = |letter: &String| {
+                !own.contains(letter)
+                    && !self.bound.contains(letter)
+                    && term.iter().any(|item| has_index(item, letter))
+                    && !terms[..at].iter().any(|before| is_free_in(before, letter))
+            };
+            if let (Some(letter), Some(first), Some(last)) =
+                (bound.iter().find(|letter| is_lost(letter)), term.first(), term.last())
+            {
+                let what = format!("{letter} is the letter of a sum before this term: the sum may go on here");
+                return Err(Fault::ambiguous(first.span.to(last.span), what)
+                    .help("put all that is summed in parentheses, or use another letter after the sum"));
+            }
+            bound.extend(own);
+        }
+        Ok(())
+    }
+
     /// `\dots` as a term or a factor of its own.
     pub(in super::super) fn ellipsis(&mut self, span: Span) -> Expr {
         self.operate("\\dots", Operator::Function, Vec::new(), span)
@@ -60,4 +86,27 @@ impl Reader<'_> {
 fn refused(span: Span) -> Fault {
     Fault::unsupported(span, "these limits are not supported")
         .help("write \\sum_{i=1}^{n}, with names and numbers only")
+}
+
+/// The letters that a Σ or a ∏ binds.
+fn letters_of_a_sum(item: &Item) -> Vec<String> {
+    let Layout::Scripts { sub: Some(sub), .. } = &item.layout else { return Vec::new() };
+    if !is_big_sum(item) && !is_big_product(item) {
+        return Vec::new();
+    }
+    let end = contents(sub).iter().position(|item| relation(item).is_some()).unwrap_or(contents(sub).len());
+    let letters = contents(sub)[..end].iter().filter_map(|item| names::printed(item, None));
+    letters.map(|found| found.name.to_string()).collect()
+}
+
+/// Whether a letter stands as an index below a name.
+fn has_index(item: &Item, letter: &str) -> bool {
+    let here = names::printed(item, None).is_some_and(|found| found.name.subscript.iter().any(|token| token == letter));
+    here || parts(item).into_iter().flatten().any(|item| has_index(item, letter))
+}
+
+/// Whether a letter is an index in a term outside of a sum over it.
+fn is_free_in(term: &[Item], letter: &str) -> bool {
+    let sum = term.iter().position(|item| letters_of_a_sum(item).iter().any(|bound| bound == letter));
+    term[..sum.unwrap_or(term.len())].iter().any(|item| has_index(item, letter))
 }

@@ -4,6 +4,28 @@ use super::example::Example;
 
 pub(super) const UNDECIDED: &[Example] = &[
     Example {
+        word: "equation-for-unknown",
+        command: "onshell check notes.md",
+        files: &[
+            (
+                "notes.md",
+                r"With
+$$ L = \frac12 m \dot x^2 - \frac12 k x^2, \quad E = \frac12 m \dot x^2 + \frac12 k x^2 \tag{1} $$
+the turning points are the roots of
+$$ E - \frac12 k x^2 = 0 . \tag{2} $$",
+            ),
+            (
+                "notes.json",
+                r#"{
+  "notes": "notes.md",
+  "coordinates": { "x": "any" },
+  "constants": { "m, k": "> 0" },
+  "means": { "L": "Lagrangian" }
+}"#,
+            ),
+        ],
+    },
+    Example {
         word: "no-state",
         command: "onshell check notes.md",
         files: &[

@@ -1,0 +1,119 @@
+//! Names that formulas in sentences tie to others: "for $u = x - vt$", "where $\tan\alpha = b/a$ is the slope", "in polar coordinates,
+//! $x = r\cos\theta$ and $y = r\sin\theta$".
+//!
+//! A name that stands alone on the left is defined by its formula. In any other equation the new names are constants, and the equation
+//! is a hypothesis of the displays that have them.
+
+use crate::formula::symbols::Name;
+use crate::latex::names;
+use crate::notes::claims::{Claim, Range};
+
+use crate::check::document::inferred::prose::body_of;
+
+use super::constants::KNOWN;
+use super::notes_names::NotesNames;
+use super::{ProseClaim, spanned};
+
+/// An equation in a sentence.
+struct Said {
+    text: String,
+    /// The name that is its left side.
+    left: Option<Name>,
+    /// The names in it that nothing else says anything of.
+    news: Vec<Name>,
+}
+
+/// The definitions and the hypotheses that formulas in sentences state.
+pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<ProseClaim> {
+    let notes = notes_names.notes;
+    let texts = notes.inline.iter().filter_map(|span| body_of(notes, *span)).map(|body| notes.source.slice(body));
+    let mut said: Vec<Said> = texts.filter_map(|text| equation(notes_names, text)).collect();
+    let mut found = Vec::new();
+    // The first formula of a name defines it.
+    let mut defined: Vec<Name> = Vec::new();
+    for one in &said {
+        let Some(left) = one.left.clone().filter(|left| one.news == [left.clone()] && !defined.contains(left)) else {
+            continue;
+        };
+        let displays = displays_with(notes_names, std::slice::from_ref(&left));
+        let Some((_, formula)) = one.text.split_once('=').filter(|_| !displays.is_empty()) else { continue };
+        found.push(ProseClaim {
+            why: format!("{left} is {}, as a sentence says", formula.trim()),
+            definitions: vec![(left.to_string(), with_fraction(formula.trim()))],
+            displays,
+            is_said: true,
+            ..ProseClaim::default()
+        });
+        defined.push(left);
+    }
+    said.retain(|one| one.left.is_none() && !one.news.iter().any(|name| defined.contains(name)));
+    while let Some(first) = said.pop() {
+        let mut news = first.news.clone();
+        let mut group = vec![first];
+        // Equations with a name in common belong together.
+        while let Some(at) = said.iter().position(|one| one.news.iter().any(|name| news.contains(name))) {
+            let next = said.remove(at);
+            news.extend(next.news.iter().filter(|name| !news.contains(name)).cloned().collect::<Vec<_>>());
+            group.push(next);
+        }
+        let displays = displays_with(notes_names, &news);
+        if displays.is_empty() {
+            continue;
+        }
+        let texts: Vec<String> = group.into_iter().map(|one| one.text).collect();
+        let claim = Claim { assume: texts.iter().cloned().map(spanned).collect(), ..Claim::default() };
+        found.push(ProseClaim {
+            why: format!("{}, as a sentence says", texts.join(" and ")),
+            constants: news.iter().map(|name| (name.to_string(), Range::Any)).collect(),
+            claims: displays.iter().map(|at| (*at, claim.clone())).collect(),
+            displays,
+            is_said: true,
+            ..ProseClaim::default()
+        });
+    }
+    found
+}
+
+/// The displays without a claim that have one of some names.
+fn displays_with(notes_names: &NotesNames<'_>, of: &[Name]) -> Vec<usize> {
+    let mut displays: Vec<usize> = of.iter().flat_map(|name| notes_names.displays_with(&name.to_string())).collect();
+    displays.sort_unstable();
+    displays.dedup();
+    displays.retain(|at| notes_names.is_free(*at));
+    displays
+}
+
+/// An equation with new names, if a formula is one. `x = x_0` says the value of a name, and no more.
+fn equation(notes_names: &NotesNames<'_>, text: &str) -> Option<Said> {
+    let text = text.trim().trim_end_matches([',', '.', ';']).trim();
+    let (left, right) = text.split_once('=').filter(|_| text.matches('=').count() == 1)?;
+    let is_chain = ["<", ">", "\\le", "\\ge", "\\approx", ",", "\\to", "\\neq"].iter().any(|sign| text.contains(sign));
+    let left = names::parse(left.trim()).filter(|(_, dots)| *dots == 0).map(|(name, _)| name);
+    let is_value = names::parse(right.trim()).is_some() || right.trim().parse::<f64>().is_ok();
+    if is_chain || left.is_some() && is_value {
+        return None;
+    }
+    let mut news: Vec<Name> = Vec::new();
+    for name in notes_names.names_in(text) {
+        let shown = name.to_string();
+        let is_known = KNOWN.contains(&shown.as_str())
+            || notes_names.is_declared(&shown)
+            || notes_names.is_defined(&shown)
+            || name.base == "e";
+        if !is_known && !news.contains(&name) {
+            news.push(name);
+        }
+    }
+    (!news.is_empty()).then(|| Said { text: text.to_owned(), left: left.filter(|left| news.contains(left)), news })
+}
+
+/// `P/qB` as a fraction: on one line all after the slash stands below it, if there are no other terms. Displays decide whether it is so.
+fn with_fraction(formula: &str) -> String {
+    let (sign, rest) = formula.strip_prefix('-').map_or(("", formula), |rest| ("-", rest));
+    match rest.split_once('/') {
+        Some((above, below)) if !rest.contains(['+', '-', '(']) && !below.contains('/') => {
+            format!("{sign}\\frac{{{}}}{{{}}}", above.trim(), below.trim())
+        }
+        _ => formula.to_owned(),
+    }
+}
