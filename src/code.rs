@@ -336,8 +336,8 @@ codes! {
     DefinitionUsersFail = "definition-users-fail",
     /// The words before an equation say that something is sought that solves it, and nothing says what that is.
     ///
-    /// For example, "the turning points are the roots of" before `E r^2 + \alpha r - M^2/2m = 0`: it holds where r does not change, and
-    /// not in general, so that its failure says nothing.
+    /// For example, "the distances are the roots of" before `E - \frac12 k x^2 = 0`: it holds where x does not change, and not in
+    /// general, so that its failure says nothing.
     /// State where it holds, with `where` or `assume`, or claim `secular equation for`.
     EquationForUnknown = "equation-for-unknown",
     /// Other equations use a defined name, and a wrong definition would not make any of them fail.

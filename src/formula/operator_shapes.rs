@@ -6,7 +6,7 @@ use super::ids::SymbolId;
 use super::numbers::complex::Complex;
 use super::shape::{Binder, Shape, Type, components, union};
 use super::symbols::{Kind, Operator};
-use super::tree::{Branch, ComplexPart, Expr, Function, IndexId, Node, Sign, Term};
+use super::tree::{Branch, ComplexPart, Definite, Expr, Function, IndexId, Node, Sign, Term};
 
 impl Binder<'_> {
     /// The shape of a symbol with a number of indices.
@@ -75,6 +75,23 @@ impl Binder<'_> {
             letters.extend(found.free);
         }
         Ok((shape, letters))
+    }
+
+    /// The type of a quotient by a number.
+    pub(super) fn quotient(&mut self, a: &mut Expr, b: &mut Expr) -> Result<Type, Fault> {
+        let found = self.bind(a)?;
+        let below = self.number(b, "a denominator")?;
+        let shape = of_product(found.shape, below.shape).ok_or_else(|| self.no_complex(a.span))?;
+        Ok(Type { free: union(&found.free, &below.free), shape })
+    }
+
+    /// The type of an integral over one letter.
+    pub(super) fn definite(&mut self, of: &mut Definite) -> Result<Type, Fault> {
+        let mut free = self.scalar(&mut of.integrand, "an integral over one letter")?;
+        for end in of.lower.iter_mut().chain(&mut of.upper) {
+            free = union(&free, &self.scalar(end, "an end of an integral")?);
+        }
+        Ok(Type { shape: Shape::Scalar, free })
     }
 
     /// The type of a function of a number.

@@ -17,7 +17,7 @@
 
 use crate::source::{Fault, Span};
 
-pub use super::operator_shapes::{of_product, of_sum};
+pub use super::operator_shapes::of_sum;
 use super::symbols::Symbols;
 use super::tree::{Expr, Index, IndexId, Node};
 
@@ -217,12 +217,7 @@ impl Binder<'_> {
                 let free = self.contract(letters, expr)?;
                 Ok(Type { shape, free })
             }
-            Node::Quotient(a, b) => {
-                let found = self.bind(a)?;
-                let below = self.number(b, "a denominator")?;
-                let shape = of_product(found.shape, below.shape).ok_or_else(|| self.no_complex(a.span))?;
-                Ok(Type { free: union(&found.free, &below.free), shape })
-            }
+            Node::Quotient(a, b) => self.quotient(a, b),
             Node::Power(..)
             | Node::Transpose(_)
             | Node::Inverse(_)
@@ -257,13 +252,7 @@ impl Binder<'_> {
             Node::Matrix(rows) => self.matrix(rows, span),
             Node::Integral(_, a) | Node::Shrinking(_, a) => self.bind(a),
             Node::Letter(_) | Node::Rest(_) => Ok(scalar),
-            Node::Definite(of) => {
-                let mut free = self.scalar(&mut of.integrand, "an integral over one letter")?;
-                for end in of.lower.iter_mut().chain(&mut of.upper) {
-                    free = union(&free, &self.scalar(end, "an end of an integral")?);
-                }
-                Ok(Type { free, ..scalar })
-            }
+            Node::Definite(of) => self.definite(of),
             Node::Component(a, index) => {
                 let indices = [*index];
                 let found = self.bind(a)?;

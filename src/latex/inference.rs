@@ -16,6 +16,9 @@
 use crate::formula::symbols::{Inferred, Name, Symbols};
 use crate::formula::text;
 
+use super::arguments::{
+    fence, is_comma, is_dimension, is_given, is_letter, is_step, is_zero, item_has_comma, starts_derivative, trimmed,
+};
 use super::layout::{Delimiter, Item, Layout};
 use super::names;
 use super::primed_names;
@@ -327,7 +330,8 @@ impl Evidence {
                 .first()
                 .and_then(|first| names::printed(first, None))
                 .is_some_and(|found| Some(&found.name) == self.time.as_ref())
-            && inside.iter().any(|item| matches!(item.layout, Layout::Other('+' | '-')));
+            && inside.iter().any(|item| matches!(item.layout, Layout::Other('+' | '-')))
+            && inside.iter().any(|item| matches!(&item.layout, Layout::Command(name) if name == "\\Delta"));
         let is_call = match delimiter {
             Delimiter::Round => {
                 is_moved
@@ -419,82 +423,4 @@ impl Evidence {
             self.matrices.push(found.name.base);
         }
     }
-}
-
-/// Whether a number above δ is that of the dimensions, `\delta^3`, `\delta^{(3)}`.
-fn is_dimension(sup: &Item) -> bool {
-    match super::reader::items::contents(sup) {
-        [Item { layout: Layout::Fence(Delimiter::Round, inside), .. }] => inside.len() == 1,
-        _ => matches!(whole_number(sup), Some(3 | 4)),
-    }
-}
-
-/// Whether a fraction is a derivative: d or ∂ begins both of its parts.
-fn starts_derivative(above: &Item, below: &Item) -> bool {
-    [above, below]
-        .iter()
-        .all(|part| super::reader::items::contents(part).first().is_some_and(|first| differential(first).is_some()))
-}
-
-/// A parenthesis, with a script perhaps, and its contents.
-fn fence(item: &Item) -> Option<(Delimiter, &[Item])> {
-    match &item.layout {
-        Layout::Fence(delimiter, inside) => Some((*delimiter, inside)),
-        Layout::Scripts { nucleus, .. } => match &nucleus.layout {
-            Layout::Fence(delimiter, inside) => Some((*delimiter, inside)),
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
-/// The bar of `P(A|B)`.
-fn is_given(item: &Item) -> bool {
-    item.layout == Layout::Other('|') || matches!(&item.layout, Layout::Command(name) if name == "\\mid")
-}
-
-/// Whether items are the number of a step: `n`, `n+1`, `0`.
-fn is_step(items: &[Item]) -> bool {
-    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
-    let is_counter = |item: &Item| matches!(item.layout, Layout::Letter('n' | 'k' | 'm' | 'i' | 'j' | 't'));
-    let is_number = |item: &Item| whole_number(item).is_some();
-    match solid.as_slice() {
-        [only] => is_counter(only) || is_number(only),
-        [first, Item { layout: Layout::Other('+' | '-'), .. }, last] => {
-            is_counter(first) && (is_number(last) || is_counter(last))
-        }
-        _ => false,
-    }
-}
-
-/// Whether a letter stands above that is an index rather than a power.
-fn is_letter(sup: &Item) -> bool {
-    names::printed(sup, None).is_some_and(|found| found.sup.is_none() && found.name.subscript.is_empty())
-}
-
-/// 0, and 0 from one side, `0^+`.
-fn is_zero(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => {
-            let side = super::reader::items::contents(sup);
-            whole_number(nucleus) == Some(0) && matches!(side, [Item { layout: Layout::Other('+' | '-'), .. }])
-        }
-        _ => whole_number(item) == Some(0),
-    }
-}
-
-fn item_has_comma(item: &Item) -> bool {
-    matches!(&item.layout, Layout::Fence(_, inside) if inside.iter().any(is_comma))
-}
-
-fn is_comma(item: &Item) -> bool {
-    matches!(item.layout, Layout::Other(',' | ';'))
-}
-
-/// The items without spaces at both ends.
-fn trimmed(items: &[Item]) -> &[Item] {
-    let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
-    let start = items.iter().position(|item| !is_space(item)).unwrap_or(items.len());
-    let end = items.iter().rposition(|item| !is_space(item)).map_or(start, |at| at + 1);
-    &items[start..end]
 }

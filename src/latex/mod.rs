@@ -8,7 +8,7 @@
 //! | [`layout`] | tokens to groups, fences, fractions, scripts, rows; cannot fail |
 //! | `overdots` | `\dot x` and its kin: the order of a time derivative |
 //! | [`names`] | which name a typeset item is |
-//! | `inference` | what a display without declarations shows about its letters |
+//! | `inference`, `arguments` | what a display without declarations shows about its letters; the parentheses after them |
 //! | `primed_names` | which primes mark another quantity |
 //! | [`reader`] | layout to a formula; the rules of reading are in its documentation |
 //! | `rows`, `pieces` | the rows of a display, and its parts that are statements |
@@ -20,6 +20,8 @@
 //!
 //! This folder may import [`crate::formula`] and [`crate::source`]. It knows nothing of documents, claims or mechanics.
 
+#[cfg(feature = "notes")]
+mod arguments;
 #[cfg(feature = "notes")]
 pub mod definitions;
 #[cfg(feature = "notes")]

@@ -86,63 +86,12 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
             (None, _) => at + 1,
         },
         "\\underbrace" | "\\overbrace" => match argument(at + 1) {
-            Some((open, end)) => {
-                let labelled = end + 1 + words(&tokens[end + 1..]);
-                // A label with mathematics in it is neither a power nor a subscript: the reader rejects the brace.
-                let is_script = |token: &Token| matches!(token.kind, TokenKind::Sub | TokenKind::Super);
-                // So it does where statements stand over the brace, which are no term.
-                let inside = &tokens[open + 1..end];
-                let is_statement = |at: &usize| is_relation(&inside[*at..=*at]) && depth(&inside[..*at]) == 0;
-                if (0..inside.len()).any(|at| is_statement(&at)) {
-                    into.push(token.clone());
-                    group(tokens, open, end, into);
-                    return end + 1;
-                }
-                if tokens.get(labelled).is_some_and(is_script) {
-                    into.push(token.clone());
-                }
-                group(tokens, open, end, into);
-                labelled
-            }
+            Some((open, end)) => braced(tokens, at, (open, end), into),
             None => at + 1,
         },
-        "\\stackrel" | "\\overset" => {
-            // A relation with a question mark above it states nothing.
-            let is_mark = |token: &Token| token.kind == TokenKind::Other('?');
-            let is_asked = |open: usize, end: usize| tokens[open..end].iter().any(is_mark);
-            let label = argument(at + 1).filter(|(open, end)| !is_asked(*open, *end));
-            let relation = label.and_then(|(_, end)| argument(end + 1));
-            match relation.filter(|(open, end)| is_relation(&tokens[open + 1..*end])) {
-                Some((open, end)) => {
-                    into.extend_from_slice(&tokens[open + 1..end]);
-                    end + 1
-                }
-                None => {
-                    into.push(token.clone());
-                    at + 1
-                }
-            }
-        }
+        "\\stackrel" | "\\overset" => stacked(tokens, at, argument, into),
         // `9.8\,\rm m\,s^{-2}`, `\rm kg`: the unit reaches to the end, as TeX sets it.
-        "\\rm" if upright(tokens, at) > 0 => {
-            let end = at + 1 + upright(tokens, at);
-            let brace = |kind: TokenKind| Token { kind, span: token.span };
-            into.extend([brace(TokenKind::Command("\\mathrm".to_owned())), brace(TokenKind::Open)]);
-            for next in at + 1..end {
-                // `m s` is no millisecond.
-                let is_letter = |at: usize| matches!(tokens[at].kind, TokenKind::Letter(_));
-                if next > at + 1
-                    && is_letter(next - 1)
-                    && is_letter(next)
-                    && tokens[next - 1].span.end < tokens[next].span.start
-                {
-                    into.push(brace(TokenKind::Space(Space::Thin)));
-                }
-                into.push(tokens[next].clone());
-            }
-            into.push(brace(TokenKind::Close));
-            end
-        }
+        "\\rm" if upright(tokens, at) > 0 => upright_unit(tokens, at, into),
         // `\bf v` outside of a group is taken for the style of what comes next.
         name if switch(name).is_some() => {
             let style = switch(name).flatten();
@@ -154,6 +103,74 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
             at + 1
         }
     }
+}
+
+/// Rewrites what stands over or under a brace, without the brace, and leaves out its label. Returns the position of what follows.
+fn braced(tokens: &[Token], at: usize, (open, end): (usize, usize), into: &mut Vec<Token>) -> usize {
+    let token = &tokens[at];
+    let labelled = end + 1 + words(&tokens[end + 1..]);
+    // A label with mathematics in it is neither a power nor a subscript: the reader rejects the brace.
+    let is_script = |token: &Token| matches!(token.kind, TokenKind::Sub | TokenKind::Super);
+    // So it does where statements stand over the brace, which are no term.
+    let inside = &tokens[open + 1..end];
+    let is_statement = |at: &usize| is_relation(&inside[*at..=*at]) && depth(&inside[..*at]) == 0;
+    if (0..inside.len()).any(|at| is_statement(&at)) {
+        into.push(token.clone());
+        group(tokens, open, end, into);
+        return end + 1;
+    }
+    if tokens.get(labelled).is_some_and(is_script) {
+        into.push(token.clone());
+    }
+    group(tokens, open, end, into);
+    labelled
+}
+
+/// Rewrites a relation with something above it as the relation. Returns the position of what follows.
+fn stacked(
+    tokens: &[Token],
+    at: usize,
+    argument: impl Fn(usize) -> Option<(usize, usize)>,
+    into: &mut Vec<Token>,
+) -> usize {
+    let token = &tokens[at];
+    // A relation with a question mark above it states nothing.
+    let is_mark = |token: &Token| token.kind == TokenKind::Other('?');
+    let is_asked = |open: usize, end: usize| tokens[open..end].iter().any(is_mark);
+    let label = argument(at + 1).filter(|(open, end)| !is_asked(*open, *end));
+    let relation = label.and_then(|(_, end)| argument(end + 1));
+    match relation.filter(|(open, end)| is_relation(&tokens[open + 1..*end])) {
+        Some((open, end)) => {
+            into.extend_from_slice(&tokens[open + 1..end]);
+            end + 1
+        }
+        None => {
+            into.push(token.clone());
+            at + 1
+        }
+    }
+}
+
+/// Writes the letters behind `\rm` as one upright unit. Returns the position of what follows.
+fn upright_unit(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
+    let token = &tokens[at];
+    let end = at + 1 + upright(tokens, at);
+    let brace = |kind: TokenKind| Token { kind, span: token.span };
+    into.extend([brace(TokenKind::Command("\\mathrm".to_owned())), brace(TokenKind::Open)]);
+    for next in at + 1..end {
+        // `m s` is no millisecond.
+        let is_letter = |at: usize| matches!(tokens[at].kind, TokenKind::Letter(_));
+        if next > at + 1
+            && is_letter(next - 1)
+            && is_letter(next)
+            && tokens[next - 1].span.end < tokens[next].span.start
+        {
+            into.push(brace(TokenKind::Space(Space::Thin)));
+        }
+        into.push(tokens[next].clone());
+    }
+    into.push(brace(TokenKind::Close));
+    end
 }
 
 /// Rewrites what stands between `\left` and its `\right`, where TeX lets `\over` divide all there is, as in a group. Returns the

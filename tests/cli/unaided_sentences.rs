@@ -166,7 +166,7 @@ fn what_holds_at_an_instant_alone_is_not_called_wrong() {
     let (found, _) = verdicts("turning", PLANET);
     assert_ne!(found[2], "refuted");
     let (found, _) =
-        verdicts("general", &PLANET.replace("The turning points are the roots of", "Hence we have in general"));
+        verdicts("general", &PLANET.replace("The turning points are the roots of", "Substituting (2) we get"));
     assert_eq!(found[2], "refuted");
     // a pendulum that turns back rests nowhere
     let pendulum = r"A pendulum in a train moves by

@@ -49,15 +49,7 @@ pub(crate) fn read_all(
             false => Some(Reading::default()),
         })
         .collect();
-    let texts: Vec<String> = notes
-        .equations
-        .iter()
-        .zip(assigned)
-        .map(|(display, claim)| match claim {
-            Some(claim) => corrected(claims, &display.text, &claim.errata),
-            None => Ok(display.text.clone()),
-        })
-        .collect::<Result<_>>()?;
+    let texts = texts(claims, notes, assigned)?;
     let mut pending = Pending {
         claims,
         definitions: claims.define.iter().collect(),
@@ -140,6 +132,19 @@ pub(crate) fn read_all(
     }
     assemble_families(model);
     Ok(readings.into_iter().map(Option::unwrap_or_default).collect())
+}
+
+/// The texts of the displays, with the errata of their claims corrected.
+fn texts(claims: &Claims, notes: &Notes, assigned: &[Option<&Claim>]) -> Result<Vec<String>> {
+    notes
+        .equations
+        .iter()
+        .zip(assigned)
+        .map(|(display, claim)| match claim {
+            Some(claim) => corrected(claims, &display.text, &claim.errata),
+            None => Ok(display.text.clone()),
+        })
+        .collect()
 }
 
 /// Whether a claim is about a special case. What a display says of a name there defines it only if no other display does.

@@ -15,7 +15,7 @@ use crate::code::Code;
 use crate::formula::tree::Sign;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
 use crate::latex::{DefinedSymbol, Reading};
-use crate::notes::claims::{Claim, Conserved, Equilibrium, Holds, Solved, Spanned};
+use crate::notes::claims::{Claim, Conserved, Equilibrium, Holds, Solved, Solves, Spanned};
 use crate::{Error, Result};
 
 impl Checker<'_> {
@@ -49,72 +49,13 @@ impl Checker<'_> {
             local,
         };
         if let Some(solves) = &claim.solves {
-            let address = match &solves.of {
-                Solved::Equation(address) => Spanned::new(address.text.clone(), address.span),
-                Solved::EquationsOfMotion(span) => {
-                    let message = "solutions of the equations of motion are not supported";
-                    return Err(Error::at(&self.claims.source, *span, message));
-                }
-            };
-            let [unknown] = solves.unknowns.as_slice() else {
-                return Err(Error::at(&self.claims.source, address.span, "only one unknown is supported"));
-            };
-            let target = self.target(&address)?;
-            let symbol = self.symbol(unknown)?;
-            let name = text::plain(&self.model.name(symbol));
-            let branches: Vec<Expr> = statements.iter().filter_map(|s| s.members.last().cloned()).collect();
-            if solves.complete {
-                let finding = solves::check(&target, symbol, &branches, &context)?;
-                parts.push(self.part(finding, format!("all solutions of ({}) for {name}", address.value)));
-            }
-            if branches.len() > 1 || !solves.complete {
-                for (statement, branch) in statements.iter().zip(&branches) {
-                    let span = statement.span.shifted(offset);
-                    let of_branch = Context { span, ..context };
-                    let finding = solves::check_branch(&target, symbol, branch, &of_branch)?;
-                    let reading = text::statement(statement, &self.model.symbols);
-                    parts.push(self.part(finding, format!("{reading} solves ({}) for {name}", address.value)));
-                }
-            }
+            self.claimed_solutions(solves, &statements, offset, &context, parts)?;
         }
         if let Some(also) = &claim.also_equals {
-            let other = self.formula(also)?;
-            let printed = match &claim.dropping {
-                Some(dropped) => with_dropped(printed, &self.formula(dropped)?),
-                None => printed.clone(),
-            };
-            let link = self.link(&other, Relation::Equal, &printed)?;
-            let finding = match self.only_repeats(&link, &reading.introduced) {
-                true => {
-                    let message = "\"also equals\" only repeats the definition, so nothing is checked";
-                    context.finding(Code::Circular, Verdict::Undecided, message)
-                }
-                false => identity::check(&link, &context)?,
-            };
-            let reading =
-                text::formula(&link.lhs, &self.model.symbols) + " = " + &text::formula(&link.rhs, &self.model.symbols);
-            parts.push(self.part(finding, reading));
+            parts.push(self.also_equal(also, printed, reading, claim, &context)?);
         }
         if let Some(conserved) = &claim.conserved {
-            // Of several statements each has something that is constant.
-            let all = match &conserved.value {
-                Conserved::Expression(latex) => {
-                    vec![(self.formula(&Spanned::new(latex.clone(), conserved.span))?, None)]
-                }
-                Conserved::This => {
-                    let last = statements.iter().enumerate().map(|(at, s)| Some((s.members.last()?.clone(), Some(at))));
-                    last.flatten().collect()
-                }
-            };
-            for (what, at) in all {
-                let mut finding = conserved::check(&what, &context)?;
-                if let Some(at) = at {
-                    let introduced: Vec<&DefinedSymbol> =
-                        reading.introduced.iter().filter(|i| i.statement == at).collect();
-                    self.only_constant(&introduced, statements[at], &mut finding)?;
-                }
-                parts.push(self.part(finding, format!("{} is constant", text::formula(&what, &self.model.symbols))));
-            }
+            self.conserved(conserved, reading, &statements, &context, parts)?;
         }
         if let Some(other) = &claim.same_motion_as {
             let finding = same_motion::check(printed, &self.formula(other)?, &context)?;
@@ -129,6 +70,102 @@ impl Checker<'_> {
         if claim.generates.is_some() {
             let finding = generates::check(printed, &context)?;
             parts.push(self.part(finding, "it generates the motion by Hamilton's equations".to_owned()));
+        }
+        Ok(())
+    }
+
+    /// The findings on statements that solve an equation: that they are all solutions, and that each of them is one.
+    fn claimed_solutions(
+        &self,
+        solves: &Solves,
+        statements: &[&Statement],
+        offset: usize,
+        context: &Context<'_>,
+        parts: &mut Vec<Part>,
+    ) -> Result<()> {
+        let address = match &solves.of {
+            Solved::Equation(address) => Spanned::new(address.text.clone(), address.span),
+            Solved::EquationsOfMotion(span) => {
+                let message = "solutions of the equations of motion are not supported";
+                return Err(Error::at(&self.claims.source, *span, message));
+            }
+        };
+        let [unknown] = solves.unknowns.as_slice() else {
+            return Err(Error::at(&self.claims.source, address.span, "only one unknown is supported"));
+        };
+        let target = self.target(&address)?;
+        let symbol = self.symbol(unknown)?;
+        let name = text::plain(&self.model.name(symbol));
+        let branches: Vec<Expr> = statements.iter().filter_map(|s| s.members.last().cloned()).collect();
+        if solves.complete {
+            let finding = solves::check(&target, symbol, &branches, context)?;
+            parts.push(self.part(finding, format!("all solutions of ({}) for {name}", address.value)));
+        }
+        if branches.len() > 1 || !solves.complete {
+            for (statement, branch) in statements.iter().zip(&branches) {
+                let span = statement.span.shifted(offset);
+                let of_branch = Context { span, ..*context };
+                let finding = solves::check_branch(&target, symbol, branch, &of_branch)?;
+                let reading = text::statement(statement, &self.model.symbols);
+                parts.push(self.part(finding, format!("{reading} solves ({}) for {name}", address.value)));
+            }
+        }
+        Ok(())
+    }
+
+    /// The finding on an expression that the last member of the display equals too.
+    fn also_equal(
+        &self,
+        also: &Spanned<String>,
+        printed: &Expr,
+        reading: &Reading,
+        claim: &Claim,
+        context: &Context<'_>,
+    ) -> Result<Part> {
+        let other = self.formula(also)?;
+        let printed = match &claim.dropping {
+            Some(dropped) => with_dropped(printed, &self.formula(dropped)?),
+            None => printed.clone(),
+        };
+        let link = self.link(&other, Relation::Equal, &printed)?;
+        let finding = match self.only_repeats(&link, &reading.introduced) {
+            true => {
+                let message = "\"also equals\" only repeats the definition, so nothing is checked";
+                context.finding(Code::Circular, Verdict::Undecided, message)
+            }
+            false => identity::check(&link, context)?,
+        };
+        let shown =
+            text::formula(&link.lhs, &self.model.symbols) + " = " + &text::formula(&link.rhs, &self.model.symbols);
+        Ok(self.part(finding, shown))
+    }
+
+    /// The findings on what the claim says to be constant.
+    fn conserved(
+        &self,
+        conserved: &Spanned<Conserved>,
+        reading: &Reading,
+        statements: &[&Statement],
+        context: &Context<'_>,
+        parts: &mut Vec<Part>,
+    ) -> Result<()> {
+        // Of several statements each has something that is constant.
+        let all = match &conserved.value {
+            Conserved::Expression(latex) => {
+                vec![(self.formula(&Spanned::new(latex.clone(), conserved.span))?, None)]
+            }
+            Conserved::This => {
+                let last = statements.iter().enumerate().map(|(at, s)| Some((s.members.last()?.clone(), Some(at))));
+                last.flatten().collect()
+            }
+        };
+        for (what, at) in all {
+            let mut finding = conserved::check(&what, context)?;
+            if let Some(at) = at {
+                let introduced: Vec<&DefinedSymbol> = reading.introduced.iter().filter(|i| i.statement == at).collect();
+                self.only_constant(&introduced, statements[at], &mut finding)?;
+            }
+            parts.push(self.part(finding, format!("{} is constant", text::formula(&what, &self.model.symbols))));
         }
         Ok(())
     }

@@ -226,9 +226,6 @@ fn scaled(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Res
         );
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
-    let all_reach = |link: &Link, families: &[ShrinkingFamily<'_>], least: f64| {
-        families.iter().all(|family| family.power(link).is_ok_and(|(power, _)| power.is_nan() || power >= least))
-    };
     // A term that is small off shell too is beyond the order, and is not tested.
     let free = families_of(link, small, context, false)?;
     let not_tested = |term: &Expr, alone: &Link| {
@@ -254,24 +251,10 @@ fn scaled(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Res
             return Ok(context.finding(Code::TermBeyondOrder, Verdict::Undecided, not_tested(&term, &without)));
         }
     }
-    let survivors: Vec<_> = mutants_of(link, context.model)
-        .into_iter()
-        .filter(|mutant| all_reach(&mutant.link, &families, wanted))
-        .collect();
-    if !survivors.is_empty() {
-        let wide = Context { spread: Spread::BeyondRanges, ..*context };
-        let mut wide = families_of(link, small, &wide, on_shell)?;
-        // In wider ranges some families are unusable; only those count where the claim itself holds.
-        wide.retain(|family| family.power(link).is_ok_and(|(power, _)| power >= wanted));
-        // In wider ranges rounding may exceed the error at the last steps, so the first and last steps are compared.
-        let falls = |link: &Link| wide.iter().all(|family| family.falls(link, missed));
-        if let Some(mutant) = survivors.iter().find(|mutant| !falls(&mutant.link)) {
-            let message = format!(
-                "the sampled states do not distinguish this from the same claim with {}; widen the ranges",
-                mutant.change
-            );
-            return Ok(context.finding(Code::MutantPasses, Verdict::Undecided, message));
-        }
+    if let Some(change) = surviving_change(link, small, (wanted, missed), (&families, on_shell), context)? {
+        let message =
+            format!("the sampled states do not distinguish this from the same claim with {change}; widen the ranges");
+        return Ok(context.finding(Code::MutantPasses, Verdict::Undecided, message));
     }
     let message = match slowest.is_finite() {
         true => format!("holds to order {order}: the error falls as the power {slowest:.1} of the small quantities"),
@@ -279,6 +262,36 @@ fn scaled(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Res
     };
     let points = families.len();
     Ok(Finding { points, tried: points, ..context.verified(message, "an approximation") })
+}
+
+/// Whether the error of a claim falls in all families with at least this power.
+fn all_reach(link: &Link, families: &[ShrinkingFamily<'_>], least: f64) -> bool {
+    families.iter().all(|family| family.power(link).is_ok_and(|(power, _)| power.is_nan() || power >= least))
+}
+
+/// The change of a mutant that holds to the same order. `wanted` is the power with which the error must fall, and a claim with one
+/// below `missed` fails.
+fn surviving_change(
+    link: &Link,
+    small: &[Expr],
+    (wanted, missed): (f64, f64),
+    (families, on_shell): (&[ShrinkingFamily<'_>], bool),
+    context: &Context<'_>,
+) -> Result<Option<String>> {
+    let survivors: Vec<_> = mutants_of(link, context.model)
+        .into_iter()
+        .filter(|mutant| all_reach(&mutant.link, families, wanted))
+        .collect();
+    if survivors.is_empty() {
+        return Ok(None);
+    }
+    let wide = Context { spread: Spread::BeyondRanges, ..*context };
+    let mut wide = families_of(link, small, &wide, on_shell)?;
+    // In wider ranges some families are unusable; only those count where the claim itself holds.
+    wide.retain(|family| family.power(link).is_ok_and(|(power, _)| power >= wanted));
+    // In wider ranges rounding may exceed the error at the last steps, so the first and last steps are compared.
+    let falls = |link: &Link| wide.iter().all(|family| family.falls(link, missed));
+    Ok(survivors.into_iter().find(|mutant| !falls(&mutant.link)).map(|mutant| mutant.change))
 }
 
 /// The terms of both sides, except a literal 0.

@@ -7,8 +7,9 @@
 use crate::formula::symbols::Name;
 use crate::latex::names;
 use crate::notes::claims::{Claim, Range};
+use crate::source::Span;
 
-use crate::check::document::inferred::prose::body_of;
+use crate::check::document::inferred::prose::{body_of, follows_condition, is_announced};
 
 use super::constants::KNOWN;
 use super::notes_names::NotesNames;
@@ -17,6 +18,8 @@ use super::{ProseClaim, spanned};
 /// An equation in a sentence.
 struct Said {
     text: String,
+    /// Whether a word such as "for" or "if" stands before it, so that it may be a case.
+    may_be_a_case: bool,
     /// The name that is its left side.
     left: Option<Name>,
     /// The names in it that nothing else says anything of.
@@ -26,8 +29,12 @@ struct Said {
 /// The definitions and the hypotheses that formulas in sentences state.
 pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<ProseClaim> {
     let notes = notes_names.notes;
-    let texts = notes.inline.iter().filter_map(|span| body_of(notes, *span)).map(|body| notes.source.slice(body));
-    let mut said: Vec<Said> = texts.filter_map(|text| equation(notes_names, text)).collect();
+    let read = |span: &Span| {
+        let text = notes.source.slice(body_of(notes, *span)?);
+        let may_be_a_case = !is_announced(notes, *span) && follows_condition(notes, *span);
+        equation(notes_names, text).map(|said| Said { may_be_a_case, ..said })
+    };
+    let mut said: Vec<Said> = notes.inline.iter().filter_map(read).collect();
     let mut found = Vec::new();
     // The first formula of a name defines it.
     let mut defined: Vec<Name> = Vec::new();
@@ -41,7 +48,8 @@ pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<ProseClaim> {
             why: format!("{left} is {}, as a sentence says", formula.trim()),
             definitions: vec![(left.to_string(), with_fraction(formula.trim()))],
             displays,
-            is_said: true,
+            is_said: !one.may_be_a_case,
+            is_enough: one.may_be_a_case,
             ..ProseClaim::default()
         });
         defined.push(left);
@@ -60,6 +68,7 @@ pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<ProseClaim> {
         if displays.is_empty() {
             continue;
         }
+        let is_said = !group.iter().any(|one| one.may_be_a_case);
         let texts: Vec<String> = group.into_iter().map(|one| one.text).collect();
         let claim = Claim { assume: texts.iter().cloned().map(spanned).collect(), ..Claim::default() };
         found.push(ProseClaim {
@@ -67,7 +76,8 @@ pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<ProseClaim> {
             constants: news.iter().map(|name| (name.to_string(), Range::Any)).collect(),
             claims: displays.iter().map(|at| (*at, claim.clone())).collect(),
             displays,
-            is_said: true,
+            is_said,
+            is_enough: !is_said,
             ..ProseClaim::default()
         });
     }
@@ -104,7 +114,12 @@ fn equation(notes_names: &NotesNames<'_>, text: &str) -> Option<Said> {
             news.push(name);
         }
     }
-    (!news.is_empty()).then(|| Said { text: text.to_owned(), left: left.filter(|left| news.contains(left)), news })
+    (!news.is_empty()).then(|| Said {
+        text: text.to_owned(),
+        may_be_a_case: false,
+        left: left.filter(|left| news.contains(left)),
+        news,
+    })
 }
 
 /// `P/qB` as a fraction: on one line all after the slash stands below it, if there are no other terms. Displays decide whether it is so.

@@ -34,6 +34,7 @@ mod words;
 use std::cell::OnceCell;
 
 use crate::Result;
+use crate::code::Code;
 use crate::latex::name_search;
 use crate::notes::Notes;
 use crate::notes::address::Address;
@@ -100,17 +101,25 @@ pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document
     let dropped: Vec<ProseClaim> = dropped.collect();
     let with = added(claims, notes, &said);
     let checked = if brief.is_some() { None } else { Some(check_in(run, &with, notes)?) };
-    let special = match brief.as_ref().or(checked.as_ref()) {
+    let (formulas, read) = match brief.as_ref().or(checked.as_ref()) {
+        Some(found) => tied_names(&quiet, (&with, notes), found),
+        None => (Vec::new(), None),
+    };
+    let with = added(&with, notes, &formulas);
+    let checked = checked.filter(|_| formulas.is_empty());
+    let special = match read.as_ref().or(brief.as_ref()).or(checked.as_ref()) {
         Some(found) => special_cases(&quiet, (&with, notes), found, &dropped),
         None => Vec::new(),
     };
+    said.extend(formulas);
     let mut found = match checked.filter(|_| special.is_empty()) {
         Some(found) => found,
         None => check_in(run, &added(&with, notes, &special), notes)?,
     };
     said.extend(special);
     if has_lagrangian(claims) {
-        sought::leave_open(&NotesNames::of(claims, notes), &mut found);
+        let is_claimed = |at: usize| said.iter().any(|claim| claim.displays.contains(&at));
+        sought::leave_open(&NotesNames::of(claims, notes), is_claimed, &mut found);
     }
     found.inferred.extend(said.iter().map(|claim| claim.why.clone()).filter(|why| !why.is_empty()));
     Ok(found)
@@ -146,6 +155,22 @@ fn standing(
             return (said, document);
         }
     }
+}
+
+/// What formulas in sentences say of names without which displays cannot be read, and the document with them.
+fn tied_names(
+    run: &Run<'_>,
+    (claims, notes): (&Claims, &Notes),
+    found: &Document,
+) -> (Vec<ProseClaim>, Option<Document>) {
+    let lacks_a_name = |equation: &Equation| equation.finding.code == Code::UndeclaredName;
+    if !has_lagrangian(claims) || claims.guesses.is_some() || !found.equations.iter().any(lacks_a_name) {
+        return (Vec::new(), None);
+    }
+    let mut said = formulas::infer(&NotesNames::of(claims, notes));
+    said.retain(|claim| claim.findings(found, notes).into_iter().any(lacks_a_name));
+    let brief = Run { options: Options { explain: false, ..run.options }, ..*run };
+    kept(&brief, (claims, notes), said, ProseClaim::may_stand)
 }
 
 /// The claims that displays that fail are about special cases, which the words around them state. `dropped` are claims that
@@ -307,7 +332,6 @@ pub(crate) fn infer(claims: &Claims, notes: &Notes) -> Vec<ProseClaim> {
     said.extend(quantities::infer(&names));
     if claims.guesses.is_none() {
         said.extend(constants::infer(&names, &places));
-        said.extend(formulas::infer(&names));
     }
     said.extend(initial_values::infer(&names, &places));
     said.extend(places.into_iter().map(|place| place.claim));

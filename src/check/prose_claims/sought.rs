@@ -31,9 +31,9 @@ const LAST: [&str; 9] = [
 pub(super) const INSTANTS: [&str; 6] =
     ["turning point", "turns back", "comes to rest", "come to rest", "for a moment", "umkehrpunkt"];
 
-/// Leaves open what was refuted and is an equation for something that is sought.
-pub(super) fn leave_open(names: &NotesNames<'_>, found: &mut Document) {
-    for at in (0..names.notes.equations.len()).filter(|at| names.is_free(*at)) {
+/// Leaves open what was refuted and is an equation for something that is sought, if no words claim more of it.
+pub(super) fn leave_open(names: &NotesNames<'_>, is_claimed: impl Fn(usize) -> bool, found: &mut Document) {
+    for at in (0..names.notes.equations.len()).filter(|at| names.is_free(*at) && !is_claimed(*at)) {
         let id = names.notes.equations[at].id();
         let equation = found.equations.iter_mut().find(|equation| Some(equation.id.as_str()) == id);
         let Some(equation) = equation.filter(|equation| !equation.ok) else { continue };

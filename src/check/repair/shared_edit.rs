@@ -57,6 +57,16 @@ const MOST_UNREADABLE: usize = 12;
 /// The number of states that reject most edits.
 const STATES: usize = 2;
 
+/// Makes an edit the first suggestion for an equation.
+fn offer(equation: &mut Equation, repair: &Repair) {
+    equation.parts.iter_mut().for_each(|part| part.finding.fit = None);
+    equation.finding.fit = None;
+    let known = &mut equation.repairs;
+    known.retain(|other| (other.span, &other.replacement) != (repair.span, &repair.replacement));
+    known.insert(0, repair.clone());
+    known.truncate(OFFERED);
+}
+
 impl Checker<'_> {
     /// The equations of a document; those that one edit repairs together get it as their first repair.
     pub(crate) fn with_shared_repairs(
@@ -84,16 +94,7 @@ impl Checker<'_> {
         let mut best: Vec<SharedEdit> = Vec::new();
         let most = |found: &[SharedEdit]| found.first().map_or(0, |found| found.repaired.len());
         for at in (0..self.notes.equations.len()).filter(|at| self.may_be_edited(*at) && self.is_tried(*at)) {
-            let others = wrong.iter().map(|(_, other)| *other).filter(|other| *other != at);
-            // Which equations use a display that cannot be read is unknown, so all are tried.
-            let mut dependents: Vec<usize> = match self.is_unreadable(at) && wrong.iter().any(|(_, other)| *other == at)
-            {
-                true => std::iter::once(at).chain(others).collect(),
-                false => {
-                    let stands = |other: &usize| self.depends_on_display(*other, at) || self.solves(*other, at);
-                    refuted.iter().copied().filter(|other| *other == at || stands(other)).collect()
-                }
-            };
+            let mut dependents = self.dependents(at, &wrong, &refuted);
             // The display itself takes the longest to check, so it comes last.
             let own_last = |dependents: &mut Vec<usize>| {
                 dependents.sort_by_key(|other| *other == at && !self.is_unreadable(at));
@@ -125,27 +126,11 @@ impl Checker<'_> {
                 Ordering::Less => {}
             }
         }
-        // The likeliest edits come first; a superfluous minus is rarer than a wrong sign.
-        best.sort_by_key(|SharedEdit { at, edit, .. }| {
-            let text = &self.notes.equations[*at].text;
-            let kind = match edit.slip == Slip::Sign && edit.replacement.is_empty() {
-                true => Slip::Fraction,
-                false => rank(text, edit, false).0,
-            };
-            (changes_a_half(text, edit), kind)
-        });
+        self.sort_by_likelihood(&mut best);
         best.truncate(OFFERED);
         let blamed = self.blamed(run, &best, &equations);
         for SharedEdit { at, edit, repaired } in best.into_iter().rev() {
             let repairs = self.shared_repairs(at, &edit, &repaired);
-            let offer = |equation: &mut Equation, repair: &Repair| {
-                equation.parts.iter_mut().for_each(|part| part.finding.fit = None);
-                equation.finding.fit = None;
-                let known = &mut equation.repairs;
-                known.retain(|other| (other.span, &other.replacement) != (repair.span, &repair.replacement));
-                known.insert(0, repair.clone());
-                known.truncate(OFFERED);
-            };
             if let (Some(nth), Some(repair)) = (blamed, repairs.first()) {
                 let is_own = repaired.iter().any(|(item, _)| *item == Item::Display(at));
                 let definition = Repair { verdict: Verdict::Definition, ..repair.clone() };
@@ -162,6 +147,31 @@ impl Checker<'_> {
             }
         }
         equations
+    }
+
+    /// The wrong displays that an edit of a display may correct: itself, and those that use it.
+    fn dependents(&self, at: usize, wrong: &[(usize, usize)], refuted: &[usize]) -> Vec<usize> {
+        let others = wrong.iter().map(|(_, other)| *other).filter(|other| *other != at);
+        // Which equations use a display that cannot be read is unknown, so all are tried.
+        match self.is_unreadable(at) && wrong.iter().any(|(_, other)| *other == at) {
+            true => std::iter::once(at).chain(others).collect(),
+            false => {
+                let stands = |other: &usize| self.depends_on_display(*other, at) || self.solves(*other, at);
+                refuted.iter().copied().filter(|other| *other == at || stands(other)).collect()
+            }
+        }
+    }
+
+    /// Puts the likeliest edits first; a superfluous minus is rarer than a wrong sign.
+    fn sort_by_likelihood(&self, edits: &mut [SharedEdit]) {
+        edits.sort_by_key(|SharedEdit { at, edit, .. }| {
+            let text = &self.notes.equations[*at].text;
+            let kind = match edit.slip == Slip::Sign && edit.replacement.is_empty() {
+                true => Slip::Fraction,
+                false => rank(text, edit, false).0,
+            };
+            (changes_a_half(text, edit), kind)
+        });
     }
 
     /// An edit of a display as a repair of each equation that passes with it.

@@ -9,7 +9,7 @@
 use std::collections::BTreeSet;
 
 use crate::formula::shape::{Shape, shape_of};
-use crate::formula::tree::MatrixFunction;
+use crate::formula::tree::{Branch, Definite, MatrixFunction};
 use crate::formula::{Expr, Kind, Node, Relation, Sign, Statement, SymbolId, Symbols, text};
 use crate::source::Span;
 
@@ -156,16 +156,7 @@ impl<'a> UnitCheck<'a> {
                 self.dimensionless(a, &format!("the argument of {}", function.name()))?;
                 none()
             }
-            Node::Apply(id, arguments) => {
-                let turns = self.symbols.entry(*id).kind == Kind::Rotation;
-                for argument in arguments {
-                    match turns {
-                        true => self.dimensionless(argument, "the angle of a rotation")?,
-                        false => drop(self.dimension(argument)?),
-                    }
-                }
-                if turns { none() } else { Ok(Some(Affine::of(*id))) }
-            }
+            Node::Apply(id, arguments) => self.applied(*id, arguments),
             Node::TimeDerivative(n, a) => Ok(self.dimension(a)?.map(|a| self.per_time(a, *n))),
             Node::OfMatrix(MatrixFunction::Determinant, a) => {
                 let found = self.dimension(a)?;
@@ -174,31 +165,9 @@ impl<'a> UnitCheck<'a> {
                     _ => Ok(None),
                 }
             }
-            Node::Cases(branches) => {
-                let mut values = Vec::new();
-                for branch in branches {
-                    values.extend(self.pooled(&branch.value, 0, false)?);
-                    for condition in &branch.conditions {
-                        let mut compared = Vec::new();
-                        for member in &condition.members {
-                            compared.extend(self.pooled(member, 0, false)?);
-                        }
-                        self.agree(&compared, Pool::Cases)?;
-                    }
-                }
-                self.agree(&values, Pool::Cases)
-            }
+            Node::Cases(branches) => self.cases(branches),
             Node::Inverse(a) => Ok(self.dimension(a)?.map(|a| a.power(Ratio::whole(-1)))),
-            Node::Definite(of) => {
-                let mut places = Vec::new();
-                for end in of.lower.iter().chain(&of.upper) {
-                    places.extend(self.pooled(end, 0, false)?);
-                }
-                self.agree(&places, Pool::Cases)?;
-                // What the letter is, nobody says, so it fits everything.
-                self.dimension(&of.integrand)?;
-                Ok(None)
-            }
+            Node::Definite(of) => self.definite(of),
             Node::Integral(region, a) => Ok(self.dimension(a)?.map(|a| a.times(&Affine::of(*region)))),
             Node::Norm(a)
             | Node::OfMatrix(MatrixFunction::Trace, a)
@@ -209,6 +178,44 @@ impl<'a> UnitCheck<'a> {
             | Node::Shrinking(_, a)
             | Node::SumOver { body: a, .. } => self.dimension(a),
         }
+    }
+
+    /// The dimension of a function without a formula, or of a rotation, with its arguments.
+    fn applied(&mut self, id: SymbolId, arguments: &[Expr]) -> Found {
+        let turns = self.symbols.entry(id).kind == Kind::Rotation;
+        for argument in arguments {
+            match turns {
+                true => self.dimensionless(argument, "the angle of a rotation")?,
+                false => drop(self.dimension(argument)?),
+            }
+        }
+        if turns { Ok(Some(Affine::known(Dimension::NONE))) } else { Ok(Some(Affine::of(id))) }
+    }
+
+    fn cases(&mut self, branches: &[Branch]) -> Found {
+        let mut values = Vec::new();
+        for branch in branches {
+            values.extend(self.pooled(&branch.value, 0, false)?);
+            for condition in &branch.conditions {
+                let mut compared = Vec::new();
+                for member in &condition.members {
+                    compared.extend(self.pooled(member, 0, false)?);
+                }
+                self.agree(&compared, Pool::Cases)?;
+            }
+        }
+        self.agree(&values, Pool::Cases)
+    }
+
+    fn definite(&mut self, of: &Definite) -> Found {
+        let mut places = Vec::new();
+        for end in of.lower.iter().chain(&of.upper) {
+            places.extend(self.pooled(end, 0, false)?);
+        }
+        self.agree(&places, Pool::Cases)?;
+        // What the letter is, nobody says, so it fits everything.
+        self.dimension(&of.integrand)?;
+        Ok(None)
     }
 
     fn per_time(&self, a: Affine, times: u8) -> Affine {

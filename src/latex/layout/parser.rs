@@ -346,24 +346,7 @@ impl<'a> Parser<'a> {
                     mark => mark.unwrap_or_else(|| Layout::Style(name.to_owned(), boxed(inner))),
                 }
             }
-            "\\text" => {
-                let argument = self.argument(span);
-                // `\textrm{d}x`: an upright d before a letter is that of a differential.
-                let is_d = matches!(&argument.layout, Layout::Group(items) if matches!(items.as_slice(), [Item { layout: Layout::Letter('d'), .. }]));
-                // `{\mbox{d}}^2 r` too.
-                let is_before_letter = self.peek().is_some_and(|next| {
-                    matches!(
-                        next.kind,
-                        TokenKind::Letter(_) | TokenKind::Command(_) | TokenKind::Close | TokenKind::Super
-                    )
-                });
-                if is_d && is_before_letter {
-                    let layout = Layout::Style("\\mathrm".to_owned(), boxed(argument));
-                    return Item { layout, span: span.to(Span::at(self.previous_end())) };
-                }
-                let word = Layout::Text(letters(&argument));
-                return units::word(word, &argument, span.to(Span::at(self.previous_end())));
-            }
+            "\\text" => return self.text(span),
             "\\tag" | "\\label" => {
                 self.argument(span);
                 Layout::Space(Space::Thin)
@@ -396,6 +379,22 @@ impl<'a> Parser<'a> {
             _ => Layout::Command(name.to_owned()),
         };
         Item { layout, span: span.to(Span::at(self.previous_end())) }
+    }
+
+    fn text(&mut self, span: Span) -> Item {
+        let argument = self.argument(span);
+        // `\textrm{d}x`: an upright d before a letter is that of a differential.
+        let is_d = matches!(&argument.layout, Layout::Group(items) if matches!(items.as_slice(), [Item { layout: Layout::Letter('d'), .. }]));
+        // `{\mbox{d}}^2 r` too.
+        let is_before_letter = self.peek().is_some_and(|next| {
+            matches!(next.kind, TokenKind::Letter(_) | TokenKind::Command(_) | TokenKind::Close | TokenKind::Super)
+        });
+        if is_d && is_before_letter {
+            let layout = Layout::Style("\\mathrm".to_owned(), Box::new(argument));
+            return Item { layout, span: span.to(Span::at(self.previous_end())) };
+        }
+        let word = Layout::Text(letters(&argument));
+        units::word(word, &argument, span.to(Span::at(self.previous_end())))
     }
 
     fn left(&mut self, span: Span) -> Item {

@@ -178,18 +178,7 @@ impl Probe<'_> {
 
     fn along(&self, shape: &Shape, range: &Range, name: &str) -> Observation {
         if let Shape::Minima(wanted) | Shape::Maxima(wanted) = shape {
-            let (what, minima) = if matches!(shape, Shape::Minima(_)) { ("minima", true) } else { ("maxima", false) };
-            let Some(found) = self.extrema(range, 1, minima) else { return Observation::Useless };
-            return match self.extrema(range, FINER, minima) {
-                Some(finer) if finer != found => {
-                    Observation::Open(Code::TooClose, counts_differ(name, what, found, finer))
-                }
-                _ if found == *wanted => Observation::Holds,
-                _ => {
-                    let what = format!("the function has {found} {what} along {name}, not {wanted}");
-                    Observation::Fails { at: None, found: found as f64, wanted: *wanted as f64, what }
-                }
-            };
+            return self.extrema_as_wanted(matches!(shape, Shape::Minima(_)), *wanted, range, name);
         }
         let (mut last_slope, mut first) = (0.0_f64, None);
         let (mut positive, mut negative, mut seen) = (false, false, 0);
@@ -256,22 +245,10 @@ impl Probe<'_> {
         if seen == 0 {
             return Observation::Useless;
         }
-        if matches!(shape, Shape::Positive | Shape::Negative) {
-            // The function may reach zero between two points where it falls towards zero and rises again.
-            let dip = |pair: &&[(f64, f64, f64, f64)]| pair[0].3 == pair[1].3 && pair[0].2 < 0.0 && pair[1].2 > 0.0;
-            for pair in signs.windows(2).filter(dip) {
-                let (least, x) = minimum(pair[0].0, pair[1].0, |x| pair[0].3 * self.value(x));
-                let is_close = least.abs() <= DIP * pair[0].1.max(pair[1].1);
-                let sign = if is_close { enclosed.sign_at_extremum(x) } else { None };
-                let reaches = match sign {
-                    Some(sign) => (sign == Ordering::Greater) != (pair[0].3 > 0.0),
-                    None => least <= 1e-13 * pair[0].1.max(pair[1].1),
-                };
-                if reaches {
-                    let what = "the function reaches zero at this state".to_owned();
-                    return Observation::Fails { at: Some(x), found: pair[0].3 * least, wanted: 0.0, what };
-                }
-            }
+        if matches!(shape, Shape::Positive | Shape::Negative)
+            && let Some(fails) = self.zero_between(&signs, &enclosed)
+        {
+            return fails;
         }
         let fails = |what: String| Observation::Fails { at: None, found: 0.0, wanted: 0.0, what };
         match shape {
@@ -284,6 +261,40 @@ impl Probe<'_> {
             }
             _ => Observation::Holds,
         }
+    }
+
+    /// Whether the function has as many minima or maxima as claimed.
+    fn extrema_as_wanted(&self, minima: bool, wanted: usize, range: &Range, name: &str) -> Observation {
+        let what = if minima { "minima" } else { "maxima" };
+        let Some(found) = self.extrema(range, 1, minima) else { return Observation::Useless };
+        match self.extrema(range, FINER, minima) {
+            Some(finer) if finer != found => Observation::Open(Code::TooClose, counts_differ(name, what, found, finer)),
+            _ if found == wanted => Observation::Holds,
+            _ => {
+                let what = format!("the function has {found} {what} along {name}, not {wanted}");
+                Observation::Fails { at: None, found: found as f64, wanted: wanted as f64, what }
+            }
+        }
+    }
+
+    /// The observation that a function of one sign reaches zero between two of the points, where it falls towards zero and rises
+    /// again. Of each point: its place, the value and the slope times the sign, and the sign.
+    fn zero_between(&self, signs: &[(f64, f64, f64, f64)], enclosed: &EnclosedFunction<'_>) -> Option<Observation> {
+        let dip = |pair: &&[(f64, f64, f64, f64)]| pair[0].3 == pair[1].3 && pair[0].2 < 0.0 && pair[1].2 > 0.0;
+        for pair in signs.windows(2).filter(dip) {
+            let (least, x) = minimum(pair[0].0, pair[1].0, |x| pair[0].3 * self.value(x));
+            let is_close = least.abs() <= DIP * pair[0].1.max(pair[1].1);
+            let sign = if is_close { enclosed.sign_at_extremum(x) } else { None };
+            let reaches = match sign {
+                Some(sign) => (sign == Ordering::Greater) != (pair[0].3 > 0.0),
+                None => least <= 1e-13 * pair[0].1.max(pair[1].1),
+            };
+            if reaches {
+                let what = "the function reaches zero at this state".to_owned();
+                return Some(Observation::Fails { at: Some(x), found: pair[0].3 * least, wanted: 0.0, what });
+            }
+        }
+        None
     }
 
     /// The number of minima or maxima inside the range; `None`, where the function has no value.

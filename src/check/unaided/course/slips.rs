@@ -1,6 +1,7 @@
 //! The slip that separates a display from what follows.
 
 use crate::Result;
+use crate::check::document::checker::Checker;
 use crate::check::repair::suggest::Search;
 use crate::check::unaided::course::{Course, named};
 use crate::check::unaided::dimensions;
@@ -78,42 +79,23 @@ impl Course<'_, '_> {
         let (model, before) = (checker.model, &self.seen);
         let around = gate::Around { model, before, origin, basis, words, solves: is_solution };
         repairs.retain(|repair| gate::is_likely(repair, display, &around));
-        // Under a condition a term may be missing, or have another sign, on purpose.
         if is_supposed {
-            repairs.retain(|repair| {
-                matches!(repair.slip, Slip::Number | Slip::Exponent | Slip::Fraction | Slip::Function)
-            });
+            repairs.retain(may_be_under_a_condition);
         }
         // An inequality holds in a range that the notes need not print; only its direction can be seen to be wrong.
         if quick.finding.code == Code::InequalityFails {
             let turned = |repair: &Repair| INEQUALITIES.contains(&checker.source.slice(repair.span).trim());
             repairs.retain(turned);
         }
-        // Authors write one quantity with and without the index of its state.
         if set.iter().any(|premise| matches!(premise.said, Said::States(_))) {
-            repairs.retain(|repair| {
-                let base = |text: &str| text.split('_').next().unwrap_or_default().trim().to_owned();
-                let printed = checker.source.slice(repair.span);
-                let before = checker.source.text[..repair.span.start].trim_end();
-                let is_added = printed.trim().is_empty() && repair.replacement.trim_start().starts_with('_');
-                base(printed) != base(&repair.replacement) && !is_added && !before.ends_with('_')
-            });
+            repairs.retain(|repair| !adds_a_state(repair, checker));
         }
         if solves && repairs.is_empty() {
             repairs = checker.repairs_of_own_definition(self.run, at)?;
             repairs.retain(|repair| gate::is_likely(repair, display, &around));
         }
-        // With another sign the frequency is that about another place, such as the lowest one.
         if checker.readings[at].introduced.iter().any(is_frequency) {
-            let unsigned = |text: &str| text.replace(['-', ' '], "").replace("\\left", "").replace("\\right", "");
-            let only_negates = |repair: &Repair| {
-                let printed = checker.source.slice(repair.span);
-                repair.replacement.contains('-')
-                    && !printed.contains(['+', '-'])
-                    && unsigned(&repair.replacement).replace(['(', ')'], "")
-                        == unsigned(printed).replace(['(', ')'], "")
-            };
-            repairs.retain(|repair| !only_negates(repair));
+            repairs.retain(|repair| !only_negates(repair, checker));
         }
         // No author means an equation whose terms have different dimensions.
         repairs.retain(|repair| !dimensions::are_spoilt(checker, at, repair));
@@ -154,4 +136,28 @@ fn is_degenerate(found: &Equation) -> bool {
         let is_equal = |a: f64, b: f64| a != 0.0 && (a - b).abs() <= EQUAL * a.abs();
         values.iter().enumerate().any(|(at, a)| values[..at].iter().any(|b| is_equal(*a, *b)))
     })
+}
+
+/// Whether a correction is one of a condition. There a term may be missing, or have another sign, on purpose.
+fn may_be_under_a_condition(repair: &Repair) -> bool {
+    matches!(repair.slip, Slip::Number | Slip::Exponent | Slip::Fraction | Slip::Function)
+}
+
+/// Whether a correction changes only the index of a state: authors write one quantity with and without it.
+fn adds_a_state(repair: &Repair, checker: &Checker<'_>) -> bool {
+    let base = |text: &str| text.split('_').next().unwrap_or_default().trim().to_owned();
+    let printed = checker.source.slice(repair.span);
+    let before = checker.source.text[..repair.span.start].trim_end();
+    let is_added = printed.trim().is_empty() && repair.replacement.trim_start().starts_with('_');
+    base(printed) == base(&repair.replacement) || is_added || before.ends_with('_')
+}
+
+/// Whether a correction changes only a sign to a minus. With another sign a frequency is that about another place, such as the
+/// lowest one.
+fn only_negates(repair: &Repair, checker: &Checker<'_>) -> bool {
+    let unsigned = |text: &str| text.replace(['-', ' '], "").replace("\\left", "").replace("\\right", "");
+    let printed = checker.source.slice(repair.span);
+    repair.replacement.contains('-')
+        && !printed.contains(['+', '-'])
+        && unsigned(&repair.replacement).replace(['(', ')'], "") == unsigned(printed).replace(['(', ')'], "")
 }

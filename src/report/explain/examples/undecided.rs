@@ -11,7 +11,7 @@ pub(super) const UNDECIDED: &[Example] = &[
                 "notes.md",
                 r"With
 $$ L = \frac12 m \dot x^2 - \frac12 k x^2, \quad E = \frac12 m \dot x^2 + \frac12 k x^2 \tag{1} $$
-the turning points are the roots of
+the distances are the roots of
 $$ E - \frac12 k x^2 = 0 . \tag{2} $$",
             ),
             (

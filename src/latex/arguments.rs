@@ -1,0 +1,81 @@
+//! What stands in a parenthesis after a name, as far as it says whether the name is a function.
+
+use super::layout::{Delimiter, Item, Layout};
+use super::names;
+use super::reader::items::{contents, differential, whole_number};
+
+/// Whether a number above δ is that of the dimensions, `\delta^3`, `\delta^{(3)}`.
+pub(super) fn is_dimension(sup: &Item) -> bool {
+    match contents(sup) {
+        [Item { layout: Layout::Fence(Delimiter::Round, inside), .. }] => inside.len() == 1,
+        _ => matches!(whole_number(sup), Some(3 | 4)),
+    }
+}
+
+/// Whether a fraction is a derivative: d or ∂ begins both of its parts.
+pub(super) fn starts_derivative(above: &Item, below: &Item) -> bool {
+    [above, below].iter().all(|part| contents(part).first().is_some_and(|first| differential(first).is_some()))
+}
+
+/// A parenthesis, with a script perhaps, and its contents.
+pub(super) fn fence(item: &Item) -> Option<(Delimiter, &[Item])> {
+    match &item.layout {
+        Layout::Fence(delimiter, inside) => Some((*delimiter, inside)),
+        Layout::Scripts { nucleus, .. } => match &nucleus.layout {
+            Layout::Fence(delimiter, inside) => Some((*delimiter, inside)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The bar of `P(A|B)`.
+pub(super) fn is_given(item: &Item) -> bool {
+    item.layout == Layout::Other('|') || matches!(&item.layout, Layout::Command(name) if name == "\\mid")
+}
+
+/// 0, and 0 from one side, `0^+`.
+pub(super) fn is_zero(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => {
+            let side = contents(sup);
+            whole_number(nucleus) == Some(0) && matches!(side, [Item { layout: Layout::Other('+' | '-'), .. }])
+        }
+        _ => whole_number(item) == Some(0),
+    }
+}
+
+pub(super) fn is_comma(item: &Item) -> bool {
+    matches!(item.layout, Layout::Other(',' | ';'))
+}
+
+/// The items without spaces at both ends.
+pub(super) fn trimmed(items: &[Item]) -> &[Item] {
+    let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
+    let start = items.iter().position(|item| !is_space(item)).unwrap_or(items.len());
+    let end = items.iter().rposition(|item| !is_space(item)).map_or(start, |at| at + 1);
+    &items[start..end]
+}
+
+/// Whether items are the number of a step: `n`, `n+1`, `0`.
+pub(super) fn is_step(items: &[Item]) -> bool {
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let is_counter = |item: &Item| matches!(item.layout, Layout::Letter('n' | 'k' | 'm' | 'i' | 'j' | 't'));
+    let is_number = |item: &Item| whole_number(item).is_some();
+    match solid.as_slice() {
+        [only] => is_counter(only) || is_number(only),
+        [first, Item { layout: Layout::Other('+' | '-'), .. }, last] => {
+            is_counter(first) && (is_number(last) || is_counter(last))
+        }
+        _ => false,
+    }
+}
+
+/// Whether a letter stands above that is an index rather than a power.
+pub(super) fn is_letter(sup: &Item) -> bool {
+    names::printed(sup, None).is_some_and(|found| found.sup.is_none() && found.name.subscript.is_empty())
+}
+
+pub(super) fn item_has_comma(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Fence(_, inside) if inside.iter().any(is_comma))
+}
