@@ -5,6 +5,7 @@
 //! granted, and is a premise of what comes later. What is wrong is no premise.
 
 mod examples;
+mod extrema;
 mod factor;
 mod roots;
 mod slips;
@@ -229,6 +230,9 @@ impl Course<'_, '_> {
             return Ok(found);
         }
         if let Some(found) = self.special_value(at, &found)? {
+            return Ok(found);
+        }
+        if let Some(found) = self.extremum(at, &found)? {
             return Ok(found);
         }
         if found.finding.verdict == Verdict::Refuted && self.lost_derivative(at) {

@@ -459,7 +459,7 @@ fn parts_factors(before: &str, replacement: &str) -> bool {
 }
 
 /// Whether a formula is a written-out matrix of at least two rows and columns.
-fn is_matrix(formula: &Expr) -> bool {
+pub(super) fn is_matrix(formula: &Expr) -> bool {
     matches!(&formula.node, Node::Matrix(rows) if rows.len() > 1 && rows.iter().all(|row| row.len() > 1))
 }
 
