@@ -145,3 +145,49 @@ fn a_value_of_a_quantity_has_its_dimension() {
     assert!(!verdicts("throw", &throw(3)).contains(&"refuted".to_owned()));
     assert_eq!(verdicts("throw-slip", &throw(2))[4], "refuted");
 }
+
+const MEAN: &str = r"In the oscillator
+
+$$ E = \frac{p^2}{2 m} + \frac12 m \omega^2 x^2 + \lambda x^4 $$
+
+$$ \langle x^2 \rangle = \frac{\hbar}{2 m \omega} (2 n + 1) , \qquad \langle p^2 \rangle = \frac{\hbar m \omega}{2} (2 n + 1) $$
+
+$$ \langle x^4 \rangle = 3 \left( \frac{\hbar}{2 m \omega} \right)^2 \left( 2 n^2 + 2 n + 1 \right) $$
+
+$$ p_0 = m \omega x_0 $$
+
+The first order is
+
+$$ \Delta E = \lambda \langle x^4 \rangle = \frac{3 \lambda \hbar^2}{4 m^2 \omega^2} $$
+
+$$ \Delta E' = E + \hbar\omega n $$
+";
+
+#[test]
+fn a_mean_value_has_the_dimension_of_what_it_is_of() {
+    assert!(!verdicts("mean", MEAN).contains(&"refuted".to_owned()));
+    assert_eq!(verdicts("mean-slip", &MEAN.replace("4 m^2", "4 m"))[4], "refuted");
+}
+
+const SHEET: &str = r"**1. Sheet.** The potential of a plate is
+
+$$ \varphi = - \frac{\sigma z}{2 \varepsilon_0} $$
+
+$$ E_z = - \frac{\partial \varphi}{\partial z} = \frac{\sigma}{2 \varepsilon_0} $$
+
+**2. Dipole.** From the potential
+
+$$ \varphi = \frac{p \cos\theta}{4 \pi \varepsilon_0 r^2} $$
+
+the component of the field is
+
+$$ E_\theta = - \frac1r \frac{\partial \varphi}{\partial \theta} = \frac{p \sin\theta}{4 \pi \varepsilon_0 r^3} $$
+";
+
+#[test]
+fn a_letter_is_another_one_after_a_heading_within_a_paragraph() {
+    assert_eq!(verdicts("sheet", SHEET), ["definition", "certified", "definition", "certified"]);
+    let slip = SHEET.replace(r"p \sin", r"p \cos");
+    assert_eq!(verdicts("sheet-slip", &slip)[3], "refuted");
+    assert_ne!(verdicts("sheet-plain", &slip.replace("**", ""))[3], "refuted");
+}

@@ -78,6 +78,24 @@ fn a_name_in_capitals_and_a_relation_that_is_not_printed_make_no_slip() {
     assert_eq!(last("quotient-slip", r"\frac12 b \omega^2 A^2 + \frac12 b c^2").as_deref(), Some("refuted"));
 }
 
+const BARRIER: &str = r"With $k = \sqrt{2 m E}/\hbar$ on both sides and the abbreviation $\beta = m\alpha/(\hbar^2 k)$ the probability is
+
+$$ T = \frac{1}{1 + \beta^2} = \frac{1}{1 + \frac{m \alpha^2}{2 \hbar^2 E}} $$
+";
+
+#[test]
+fn a_name_that_only_another_sentence_uses_has_a_formula() {
+    let (found, inferred) = verdicts("barrier", BARRIER);
+    assert!(inferred.contains("k = "), "{inferred}");
+    assert_eq!(found[0], "certified");
+    // The slip may be in the sentence.
+    let (found, _) = verdicts("barrier-slip", &BARRIER.replace(r"{2 \hbar^2 E}", r"{\hbar^2 E}"));
+    assert_eq!(found[0], "undecided");
+    // What only "for" announces may be a case.
+    let (_, inferred) = verdicts("barrier-case", &BARRIER.replace("With $k", "For $k"));
+    assert!(!inferred.contains("k = "), "{inferred}");
+}
+
 const PENDULUM: &str = r"The kinetic energy is
 
 $$ T = \frac12 m\ell^2\dot\theta^2 $$

@@ -18,13 +18,12 @@ use crate::check::verdict::finding::Finding;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
-use crate::formula::symbols::Name;
 use crate::formula::units::{Affine, UnitCheck};
 use crate::formula::{Expr, Node, Statement, SymbolId, Symbols, text};
 use crate::latex::layout::values::parts_of;
 use crate::latex::layout::{Item, Layout, typeset_items};
-use crate::latex::read_display;
 use crate::latex::slips::{Edit, Slip, slips};
+use crate::latex::{Macros, read_display};
 use crate::source::Span;
 
 /// The most displays that are compared with each other.
@@ -112,14 +111,27 @@ fn statements<'c>(checker: &'c Checker<'_>, at: usize) -> Option<Vec<&'c Stateme
     })
 }
 
-/// A check in which a value of a quantity, such as `x(t_1)`, has the dimension of the quantity.
-fn check_with_values<'s>(symbols: &'s Symbols) -> UnitCheck<'s> {
+/// A check in which a value of a quantity, such as `x(t_1)`, has the dimension of the quantity, and so has the mean value
+/// `\\langle x^4 \\rangle` that of the formula in it.
+fn check_with_values<'s>(symbols: &'s Symbols, macros: &Macros) -> UnitCheck<'s> {
     let mut check = UnitCheck::new(symbols);
     for (id, entry) in symbols.iter() {
-        let base = entry.name.base.split_once('(').filter(|(_, place)| place.ends_with(')'));
-        let of = base.and_then(|(base, _)| symbols.find(&Name::plain(base.trim())));
-        if let Some((quantity, _)) = of.filter(|(quantity, _)| *quantity != id) {
-            drop(check.inference.require_equal(&Affine::of(id), &Affine::of(quantity)));
+        let base = entry.name.base.trim();
+        // What depends on a vector is a field, and its letter may be that of something else.
+        let is_place = |place: &str| place.ends_with(')') && !place.contains('\\');
+        let value = base.split_once('(').filter(|(_, place)| is_place(place)).map(|(quantity, _)| quantity);
+        let mean = base.strip_prefix("\\langle").and_then(|rest| rest.strip_suffix("\\rangle"));
+        let mean = mean.filter(|inner| inner.starts_with(|c: char| !c.is_ascii_alphabetic()));
+        let Some(text) = value.or(mean).filter(|_| entry.name.subscript.is_empty()) else { continue };
+        // What is inside must be read with the names that are known.
+        let mut known = symbols.clone();
+        let reading = read_display(text.trim(), &mut known, macros);
+        if let ([Ok(Statement { members, .. })], true) = (reading.statements.as_slice(), known.len() == symbols.len())
+            && let [only] = members.as_slice()
+            && only.symbols().iter().all(|(other, _)| *other != id)
+            && let Ok(Some(found)) = check.dimension(only)
+        {
+            drop(check.inference.require_equal(&Affine::of(id), &found));
         }
     }
     check
@@ -166,7 +178,7 @@ pub(super) fn are_spoilt(checker: &Checker<'_>, at: usize, repair: &Repair) -> b
     if checker.readings.len() > MOST || !display.body.contains(repair.span) {
         return false;
     }
-    let mut others = check_with_values(symbols);
+    let mut others = check_with_values(symbols, &checker.model.macros);
     let mut known = BTreeSet::new();
     for statements in (0..checker.readings.len()).filter(|other| *other != at).filter_map(|at| statements(checker, at))
     {
@@ -206,7 +218,7 @@ fn conflict(checker: &Checker<'_>, at: usize, all: &[(usize, Vec<&Statement>)]) 
     if symbols_of(own).len() < FEWEST_NAMES {
         return None;
     }
-    let mut others = check_with_values(symbols);
+    let mut others = check_with_values(symbols, &checker.model.macros);
     let mut known = BTreeSet::new();
     let mut uses: Vec<SymbolId> = Vec::new();
     for (_, statements) in all.iter().filter(|(other, _)| *other != at) {
@@ -230,7 +242,7 @@ fn conflict(checker: &Checker<'_>, at: usize, all: &[(usize, Vec<&Statement>)]) 
     let rest: Vec<&Statement> =
         all.iter().filter(|(place, _)| *place != at).flat_map(|(_, statements)| statements).copied().collect();
     let goes_on_without = |other: usize| {
-        let mut check = check_with_values(symbols);
+        let mut check = check_with_values(symbols, &checker.model.macros);
         let rest = rest.iter().enumerate().filter(|(place, _)| *place != other);
         rest.for_each(|(_, statement)| drop(check.statement(statement)));
         let earlier = pure(&check);

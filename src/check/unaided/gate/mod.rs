@@ -165,7 +165,7 @@ fn distinct(members: &[Expr], model: &Model) -> usize {
 }
 
 /// The symbols in a text, each as often as it stands there.
-fn symbols_of(text: &str, model: &Model) -> Vec<SymbolId> {
+pub(super) fn symbols_of(text: &str, model: &Model) -> Vec<SymbolId> {
     let reading = read_display(text, &mut model.symbols.clone(), &model.macros);
     let mut found = Vec::new();
     for member in reading.statements.iter().flatten().flat_map(|statement| &statement.members) {
@@ -377,7 +377,9 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
         return false;
     }
     // An equation of which one side is 0 is solved for a symbol that nothing determines: it is no slip for another one.
-    let is_open = |id: &&SymbolId| !matches!(model.meaning(**id), Some(Meaning::Defined(_)));
+    // With a name that has a formula in its place it says what this formula does: E r² + α r = … is none for U r² + α r = ….
+    let is_named = new.iter().any(|id| matches!(model.meaning(**id), Some(Meaning::Defined(_))));
+    let is_open = |id: &&SymbolId| is_named || !matches!(model.meaning(**id), Some(Meaning::Defined(_)));
     if is_zero && before.iter().filter(is_open).any(|id| count(&after, *id) < count(&before, *id)) && !new.is_empty() {
         return false;
     }
