@@ -378,7 +378,7 @@ pub(super) fn is_likely(repair: &Repair, display: &Display, around: &Around<'_>)
     }
     // An equation of which one side is 0 is solved for a symbol that nothing determines: it is no slip for another one.
     // With a name that has a formula in its place it says what this formula does: E r² + α r = … is none for U r² + α r = ….
-    let is_named = new.iter().any(|id| matches!(model.meaning(**id), Some(Meaning::Defined(_))));
+    let is_named = new.iter().any(|id| matches!(model.meaning(**id), Some(Meaning::Defined(_) | Meaning::System(_))));
     let is_open = |id: &&SymbolId| is_named || !matches!(model.meaning(**id), Some(Meaning::Defined(_)));
     if is_zero && before.iter().filter(is_open).any(|id| count(&after, *id) < count(&before, *id)) && !new.is_empty() {
         return false;
