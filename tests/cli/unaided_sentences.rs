@@ -78,6 +78,24 @@ fn a_name_in_capitals_and_a_relation_that_is_not_printed_make_no_slip() {
     assert_eq!(last("quotient-slip", r"\frac12 b \omega^2 A^2 + \frac12 b c^2").as_deref(), Some("refuted"));
 }
 
+const BARRIER: &str = r"With $k = \sqrt{2 m E}/\hbar$ on both sides and the abbreviation $\beta = m\alpha/(\hbar^2 k)$ the probability is
+
+$$ T = \frac{1}{1 + \beta^2} = \frac{1}{1 + \frac{m \alpha^2}{2 \hbar^2 E}} $$
+";
+
+#[test]
+fn a_name_that_only_another_sentence_uses_has_a_formula() {
+    let (found, inferred) = verdicts("barrier", BARRIER);
+    assert!(inferred.contains("k = "), "{inferred}");
+    assert_eq!(found[0], "certified");
+    // The slip may be in the sentence.
+    let (found, _) = verdicts("barrier-slip", &BARRIER.replace(r"{2 \hbar^2 E}", r"{\hbar^2 E}"));
+    assert_eq!(found[0], "undecided");
+    // What only "for" announces may be a case.
+    let (_, inferred) = verdicts("barrier-case", &BARRIER.replace("With $k", "For $k"));
+    assert!(!inferred.contains("k = "), "{inferred}");
+}
+
 const PENDULUM: &str = r"The kinetic energy is
 
 $$ T = \frac12 m\ell^2\dot\theta^2 $$
@@ -154,7 +172,11 @@ $$ L = \frac m2\left(\dot r^2 + r^2\dot\varphi^2\right) + \frac\alpha r . $$
 
 The momentum and the energy are
 
-$$ M = m r^2\dot\varphi , \qquad E = \frac m2\dot r^2 + \frac{M^2}{2mr^2} - \frac\alpha r . $$
+$$ M = m r^2\dot\varphi , \qquad E = \frac m2\dot r^2 + \frac{M^2}{2mr^2} - \frac\alpha r , $$
+
+with the effective potential
+
+$$ U = \frac{M^2}{2mr^2} - \frac\alpha r . $$
 
 The turning points are the roots of
 
@@ -164,10 +186,12 @@ $$ E r^2 + \alpha r - \frac{M^2}{2m} = 0 . $$
 #[test]
 fn what_holds_at_an_instant_alone_is_not_called_wrong() {
     let (found, _) = verdicts("turning", PLANET);
-    assert_ne!(found[2], "refuted");
-    let (found, _) =
-        verdicts("general", &PLANET.replace("The turning points are the roots of", "Substituting (2) we get"));
-    assert_eq!(found[2], "refuted");
+    assert_ne!(found[3], "refuted");
+    let wrong = PLANET
+        .replace("The turning points are the roots of", "Hence")
+        .replace(r"E r^2 + \alpha r", r"U r^2 - \alpha r");
+    let (found, _) = verdicts("general", &wrong);
+    assert_eq!(found[3], "refuted");
     // a pendulum that turns back rests nowhere
     let pendulum = r"A pendulum in a train moves by
 

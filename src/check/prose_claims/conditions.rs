@@ -84,7 +84,10 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
     };
     let is_printed = |name: &str| names.has_name(printed, without_dots(name));
     case.throughout.retain(|(of, _)| !is_printed(of));
-    case.assume.retain(|said| said.split_once('=').is_none_or(|(of, _)| of.contains("(0)") || !is_printed(of.trim())));
+    // That something does not change says nothing of its value.
+    let is_rate = |of: &str| of.starts_with("\\dot") && !printed.contains("\\dot");
+    let may_stay = |of: &str| of.contains("(0)") || is_rate(of) || !is_printed(of.trim());
+    case.assume.retain(|said| said.split_once('=').is_none_or(|(of, _)| may_stay(of)));
     // The same of a limit, but for a relation that says itself that it is near.
     let is_near = ["\\approx", "\\simeq", "\\sim"].iter().any(|sign| printed.contains(sign));
     case.limit =

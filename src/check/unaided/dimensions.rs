@@ -2,8 +2,9 @@
 //!
 //! Nobody declares units in notes, but each equation says that its terms have one dimension. A display that makes a name a
 //! pure number, which it is not by all other displays together, is in conflict with them. It is called wrong only if one
-//! other exponent, or a dot more or less, makes its dimensions follow from the other displays, and if the conflict stays whichever other display is
-//! left out: of two statements that contradict each other nobody knows which one is right.
+//! other exponent, a fraction turned over, or a dot more or less, makes its dimensions follow from the other displays, and if
+//! the conflict stays whichever other display is left out: of two statements that contradict each other nobody knows which one
+//! is right.
 //!
 //! Notes in natural units, where c = 1, are not called wrong: no exponent of a name that is printed makes up for one that is
 //! not.
@@ -11,15 +12,18 @@
 use std::collections::BTreeSet;
 
 use crate::check::document::checker::Checker;
+use crate::check::unaided::gate;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
-use crate::formula::units::UnitCheck;
-use crate::formula::{Expr, Node, Statement, SymbolId, text};
-use crate::latex::read_display;
+use crate::formula::units::{Affine, UnitCheck};
+use crate::formula::{Expr, Node, Statement, SymbolId, Symbols, text};
+use crate::latex::layout::values::parts_of;
+use crate::latex::layout::{Item, Layout, typeset_items};
 use crate::latex::slips::{Edit, Slip, slips};
+use crate::latex::{Macros, read_display};
 use crate::source::Span;
 
 /// The most displays that are compared with each other.
@@ -30,6 +34,9 @@ const FEWEST: usize = 3;
 
 /// The highest power that is tried.
 const HIGHEST: u32 = 6;
+
+/// The powers that authors lose.
+const LOST: [u32; 3] = [2, 3, 4];
 
 /// The fewest names in a display that is called wrong.
 const FEWEST_NAMES: usize = 4;
@@ -72,7 +79,8 @@ pub(super) fn blame(checker: &Checker<'_>, first: usize, found: &mut [Equation])
 
 /// The statements of a display that say something about dimensions. A plain number with digits after the point may have a
 /// unit that is not printed, and so may a number that is a whole side. Authors write `pV^\gamma = \text{const}` and mean V in some
-/// unit, so a power with another exponent than a number says nothing.
+/// unit, so a power with another exponent than a number says nothing. Neither does a matrix, whose rows may belong to a length and
+/// an angle.
 fn statements<'c>(checker: &'c Checker<'_>, at: usize) -> Option<Vec<&'c Statement>> {
     let read: Option<Vec<&Statement>> = checker.readings[at].statements.iter().map(|read| read.as_ref().ok()).collect();
     let is_value = |member: &Expr| matches!(&member.node, Node::Number(_)) && !member.is_zero();
@@ -90,10 +98,62 @@ fn statements<'c>(checker: &'c Checker<'_>, at: usize) -> Option<Vec<&'c Stateme
         });
         found
     };
+    let has_matrix = |member: &Expr| {
+        let mut found = false;
+        member.walk(&mut |part| found |= gate::is_matrix(part));
+        found
+    };
+    let says_nothing =
+        |member: &Expr| is_value(member) || has_decimals(member) || has_open_power(member) || has_matrix(member);
     read.filter(|read| {
         let mut members = read.iter().flat_map(|statement| &statement.members);
-        !read.is_empty() && !members.any(|member| is_value(member) || has_decimals(member) || has_open_power(member))
+        !read.is_empty() && !members.any(says_nothing)
     })
+}
+
+/// A check in which a value of a quantity, such as `x(t_1)`, has the dimension of the quantity, and so has the mean value
+/// `\\langle x^4 \\rangle` that of the formula in it.
+fn check_with_values<'s>(symbols: &'s Symbols, macros: &Macros) -> UnitCheck<'s> {
+    let mut check = UnitCheck::new(symbols);
+    for (id, entry) in symbols.iter() {
+        let base = entry.name.base.trim();
+        // What depends on a vector is a field, and its letter may be that of something else.
+        let is_place = |place: &str| place.ends_with(')') && !place.contains('\\');
+        let value = base.split_once('(').filter(|(_, place)| is_place(place)).map(|(quantity, _)| quantity);
+        let mean = base.strip_prefix("\\langle").and_then(|rest| rest.strip_suffix("\\rangle"));
+        let mean = mean.filter(|inner| inner.starts_with(|c: char| !c.is_ascii_alphabetic()));
+        let Some(text) = value.or(mean).filter(|_| entry.name.subscript.is_empty()) else { continue };
+        // What is inside must be read with the names that are known.
+        let mut known = symbols.clone();
+        let reading = read_display(text.trim(), &mut known, macros);
+        if let ([Ok(Statement { members, .. })], true) = (reading.statements.as_slice(), known.len() == symbols.len())
+            && let [only] = members.as_slice()
+            && only.symbols().iter().all(|(other, _)| *other != id)
+            && let Ok(Some(found)) = check.dimension(only)
+        {
+            drop(check.inference.require_equal(&Affine::of(id), &found));
+        }
+    }
+    check
+}
+
+/// The edits that put a power after what has none.
+fn lost_powers(items: &[Item], text: &str, found: &mut Vec<Edit>) {
+    for item in items {
+        let has_none = match &item.layout {
+            Layout::Letter(_) | Layout::Command(_) | Layout::Fence(..) | Layout::Value(_) => true,
+            Layout::Scripts { sup, .. } => sup.is_none(),
+            _ => false,
+        };
+        let span = Span::at(item.span.end);
+        if has_none && text.is_char_boundary(span.start) && !text[span.start..].trim_start().starts_with(['^', '_']) {
+            let edit = |power: u32| Edit { span, replacement: format!("^{power}"), slip: Slip::Exponent };
+            found.extend(LOST.map(edit));
+        }
+        if !matches!(item.layout, Layout::Scripts { .. }) {
+            parts_of(item).into_iter().for_each(|part| lost_powers(part, text, found));
+        }
+    }
 }
 
 /// The edits that put another whole power in the place of one.
@@ -118,7 +178,7 @@ pub(super) fn are_spoilt(checker: &Checker<'_>, at: usize, repair: &Repair) -> b
     if checker.readings.len() > MOST || !display.body.contains(repair.span) {
         return false;
     }
-    let mut others = UnitCheck::new(symbols);
+    let mut others = check_with_values(symbols, &checker.model.macros);
     let mut known = BTreeSet::new();
     for statements in (0..checker.readings.len()).filter(|other| *other != at).filter_map(|at| statements(checker, at))
     {
@@ -158,7 +218,7 @@ fn conflict(checker: &Checker<'_>, at: usize, all: &[(usize, Vec<&Statement>)]) 
     if symbols_of(own).len() < FEWEST_NAMES {
         return None;
     }
-    let mut others = UnitCheck::new(symbols);
+    let mut others = check_with_values(symbols, &checker.model.macros);
     let mut known = BTreeSet::new();
     let mut uses: Vec<SymbolId> = Vec::new();
     for (_, statements) in all.iter().filter(|(other, _)| *other != at) {
@@ -182,7 +242,7 @@ fn conflict(checker: &Checker<'_>, at: usize, all: &[(usize, Vec<&Statement>)]) 
     let rest: Vec<&Statement> =
         all.iter().filter(|(place, _)| *place != at).flat_map(|(_, statements)| statements).copied().collect();
     let goes_on_without = |other: usize| {
-        let mut check = UnitCheck::new(symbols);
+        let mut check = check_with_values(symbols, &checker.model.macros);
         let rest = rest.iter().enumerate().filter(|(place, _)| *place != other);
         rest.for_each(|(_, statement)| drop(check.statement(statement)));
         let earlier = pure(&check);
@@ -210,8 +270,11 @@ fn conflict(checker: &Checker<'_>, at: usize, all: &[(usize, Vec<&Statement>)]) 
             && check.inference.requirements() <= before + new
     };
     let edits = slips(&display.text, symbols, &checker.model.macros);
-    let likely = edits.into_iter().filter(|edit| matches!(edit.slip, Slip::Exponent | Slip::Dot));
-    let edit = likely.chain(other_powers(&display.text)).find(fits)?;
+    let likely = edits.into_iter().filter(|edit| matches!(edit.slip, Slip::Exponent | Slip::Dot | Slip::Fraction));
+    let mut lost = Vec::new();
+    let items = typeset_items(&display.text, &checker.model.macros).unwrap_or_default();
+    lost_powers(&items, &display.text, &mut lost);
+    let edit = likely.chain(other_powers(&display.text)).chain(lost).find(fits)?;
     Some(Conflict { at, names, edit })
 }
 

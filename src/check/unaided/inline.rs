@@ -23,8 +23,24 @@ pub(super) fn is_inline(notes: &Notes, display: &Display) -> bool {
     notes.inline.contains(&display.span)
 }
 
-/// The displays of notes with the formulas in sentences that define a name, in order.
+/// The displays of notes with the formulas in sentences that define a name, in order. A formula may define a name that only another
+/// formula in a sentence uses: "with $k = \\sqrt{2mE}/\\hbar$ and the abbreviation $\\beta = m\\alpha/\\hbar^2 k$".
 pub(super) fn with_definitions(notes: &Notes, displays: Vec<Display>, macros: &Macros) -> Vec<Display> {
+    let found = with_definitions_of(notes, displays.clone(), &[], macros);
+    let inline: Vec<Display> = found.iter().filter(|display| is_inline(notes, display)).cloned().collect();
+    if inline.is_empty() {
+        return found;
+    }
+    let used: Vec<Name> = names_of(&inline, macros)
+        .into_iter()
+        .filter(|usage| usage.introduced.is_none())
+        .map(|usage| usage.name)
+        .collect();
+    with_definitions_of(notes, displays, &used, macros)
+}
+
+/// The same, where some names are known to be used in sentences.
+fn with_definitions_of(notes: &Notes, displays: Vec<Display>, used: &[Name], macros: &Macros) -> Vec<Display> {
     let usages = names_of(&displays, macros);
     let mut found = displays;
     let mut defined: Vec<String> = Vec::new();
@@ -36,11 +52,13 @@ pub(super) fn with_definitions(notes: &Notes, displays: Vec<Display>, macros: &M
         let name = name(&display, macros).filter(|name| !defined.contains(name));
         let is_free = |usage: &Usage| (usage.introduced.is_none() || usage.only_a_power) && usage.first + 1 >= authors;
         let is_told = is_announced(notes, *span) || is_named(notes, *span);
+        let is_used = |name: &String| used.iter().any(|other| other.to_string() == *name);
         let defines = |name: &String| {
-            (is_told || is_sum()) && usages.iter().find(|usage| usage.name.to_string() == *name).is_some_and(is_free)
+            let usage = usages.iter().find(|usage| usage.name.to_string() == *name);
+            (is_told || is_sum()) && usage.map_or_else(|| is_used(name), is_free)
         };
         if let Some(name) = name.filter(defines) {
-            found.insert(at, with_known_names(display, &name, &usages, macros));
+            found.insert(at, with_known_names(display, &name, (&usages, used), macros));
             defined.push(name);
         } else if relates(&display, (&usages, authors, is_told), macros) && !follows_condition(notes, *span) {
             found.insert(at, display);
@@ -91,9 +109,15 @@ fn formula(notes: &Notes, span: Span) -> Option<Display> {
 
 /// A definition by the first member of its chain whose names the displays have: of `V = mgh = mg\\ell(1 - \\cos\\theta)` the last one,
 /// where no display has h.
-fn with_known_names(display: Display, name: &str, usages: &[Usage], macros: &Macros) -> Display {
+fn with_known_names(
+    display: Display,
+    name: &str,
+    (usages, in_sentences): (&[Usage], &[Name]),
+    macros: &Macros,
+) -> Display {
     let members: Vec<&str> = display.text.split('=').skip(1).collect();
-    let is_used = |usage: &Usage| usages.iter().any(|used| used.name == usage.name);
+    let is_used =
+        |usage: &Usage| usages.iter().any(|used| used.name == usage.name) || in_sentences.contains(&usage.name);
     let is_known = |text: &&&str| {
         names_of(&[Display { text: (**text).to_owned(), ..display.clone() }], macros).iter().all(is_used)
     };

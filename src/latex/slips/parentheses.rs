@@ -54,6 +54,7 @@ impl Finder<'_> {
                 self.edit(Slip::Parenthesis, fence.whole, inner.clone());
                 if self.pool.is_some() {
                     self.edit(Slip::Exponent, fence.whole, format!("\\sqrt{{{inner}}}"));
+                    self.edit(Slip::Exponent, Span::at(fence.whole.end), "^2");
                     self.power_gathered(fence.whole, &open, fence.items, &close);
                 }
             }

@@ -21,11 +21,14 @@ use crate::check::verdict::report::Equation;
 use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
 use crate::latex::read_display;
-use crate::latex::slips::{self, Edit, Pool};
+use crate::latex::slips::{self, Edit, Pool, Slip};
 use crate::source::Span;
 
 /// The most edits of one formula that are tried, the likeliest first.
 const TRIED: usize = 160;
+
+/// The factors that authors lose.
+const LOST_FACTORS: [&str; 4] = ["2", "\\frac12", "4", "3"];
 
 /// The deepest chain of definitions that is written out.
 const DEEPEST: usize = 6;
@@ -156,6 +159,24 @@ impl Course<'_, '_> {
         edits.sort_by_key(|edit| rank(&display.text, edit, false));
         edits.truncate(TRIED);
         edits
+    }
+
+    /// The likely slips in a display, or a part of it, and the small numbers that it may have lost.
+    pub(super) fn edits_with_factors(&self, at: usize, part: Option<Span>) -> Vec<Edit> {
+        let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
+        let points = slips::insertion_points(&display.text, &checker.model.symbols, &checker.model.macros);
+        let starts = points.into_iter().filter(|point| point.slip == Slip::Factor).map(|point| point.whole.start);
+        let inside = starts.filter(|start| part.is_none_or(|part| part.contains(Span::at(*start))));
+        let factor = |start: usize| {
+            LOST_FACTORS.map(|factor| Edit {
+                span: Span::at(start),
+                replacement: format!("{factor} "),
+                slip: Slip::Factor,
+            })
+        };
+        let lost = inside.flat_map(factor);
+        let lost = lost.filter(|edit| is_in_source(checker, &display.text, edit, display.body.start));
+        self.edits_of(at, part).into_iter().chain(lost).collect()
     }
 
     /// The values that the displays and the sentences before a display give to letters, the last first.

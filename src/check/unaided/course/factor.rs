@@ -18,7 +18,7 @@ use crate::formula::{Expr, Node, Relation};
 use crate::notes::claims::Claim;
 
 /// The number of states that are tried; a root has a value in some of them.
-const STATES: usize = 16;
+const STATES: usize = 32;
 
 /// The fewest states that show a ratio.
 const FEWEST: usize = 3;
@@ -87,7 +87,9 @@ impl Course<'_, '_> {
             // A root may have no value in a state.
             let (Ok(a), Ok(b)) = sides else { continue };
             let (Value::Scalar(a), Value::Scalar(b)) = (a, b) else { return Ok(None) };
-            ratios.push(a.value / b.value);
+            if a.value.is_finite() && b.value.is_finite() {
+                ratios.push(a.value / b.value);
+            }
         }
         let first = ratios.first().copied().filter(|first| first.is_finite() && ratios.len() >= FEWEST);
         let is_same = |ratio: &f64| first.is_some_and(|first| (ratio / first - 1.0).abs() < EQUAL);

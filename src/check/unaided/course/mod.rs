@@ -5,6 +5,7 @@
 //! granted, and is a premise of what comes later. What is wrong is no premise.
 
 mod examples;
+mod extrema;
 mod factor;
 mod roots;
 mod slips;

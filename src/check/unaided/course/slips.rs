@@ -13,10 +13,11 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
-use crate::formula::SymbolId;
+use crate::formula::{Expr, Node, SymbolId};
 use crate::latex::DefinedSymbol;
-use crate::latex::slips::Slip;
+use crate::latex::slips::{Edit, Slip};
 use crate::notes::claims::Claim;
+use crate::source::Span;
 
 /// The relative difference of two numbers that are equal.
 const EQUAL: f64 = 1e-9;
@@ -78,7 +79,7 @@ impl Course<'_, '_> {
         let origin = self.scope.origin_of(at, checker.notes.equations.len());
         let (model, before) = (checker.model, &self.seen);
         let around = gate::Around { model, before, origin, basis, words, solves: is_solution };
-        repairs.retain(|repair| gate::is_likely(repair, display, &around));
+        repairs.retain(|repair| gate::is_likely(repair, display, &around) && !self.brings_doubt(at, repair));
         if is_supposed {
             repairs.retain(may_be_under_a_condition);
         }
@@ -114,6 +115,18 @@ impl Course<'_, '_> {
 }
 
 impl Course<'_, '_> {
+    /// Whether a correction puts a name into a display whose formula may be wrong, or was read as 0.
+    fn brings_doubt(&self, at: usize, repair: &Repair) -> bool {
+        let (model, display) = (self.checker.model, &self.checker.notes.equations[at]);
+        let printed = gate::symbols_of(&display.text, model);
+        let span = Span::new(repair.span.start - display.body.start, repair.span.end - display.body.start);
+        let corrected =
+            Edit { span, replacement: repair.replacement.clone(), slip: repair.slip }.applied(&display.text);
+        let new = gate::symbols_of(&corrected, model).into_iter().filter(|id| !printed.contains(id));
+        let node = |id: SymbolId| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
+        new.flat_map(|id| gate::names(&node(id), model)).any(|id| self.doubtful.contains(&id))
+    }
+
     /// Whether the words say that a display is about another thing than a definition that it uses: a sphere, and not a disc.
     fn is_about_another(&self, at: usize) -> bool {
         let checker = self.checker;

@@ -1,5 +1,6 @@
-//! A name with a subscript for the value of a quantity at a place that the words state: "the derivative vanishes at $u = v/2$, and
-//! there `P_{max} = …`", after `P(u) = …`.
+//! A name for the value of a quantity at a place that the words state: "the derivative vanishes at $u = v/2$, and
+//! there `P_{max} = …`", after `P(u) = …`. The place may also be that of an extremum, which the display before gives, and the name
+//! that of the quantity itself.
 //!
 //! Such a display gives the name a formula, which would be a definition otherwise. If the quantity has this value there, the display
 //! follows. It is called wrong only if one likely slip in it lies between the two.
@@ -17,8 +18,8 @@ use crate::code::Code;
 use crate::formula::{Expr, Node, Statement, SymbolId, text};
 use crate::latex::read_display;
 
-/// The fewest symbols of a formula in which an edit is sought.
-const FEWEST: usize = 3;
+/// The fewest symbols, numbers and operations of a formula in which an edit is sought.
+const FEWEST: usize = 6;
 
 /// The relative difference of a ratio from 1 that is rounding.
 const ROUNDING: f64 = 1e-9;
@@ -56,10 +57,10 @@ impl Course<'_, '_> {
                 return Ok(Some(finding(Verdict::Verified, Code::Holds, format!("this is {says}"))));
             }
         }
-        let Some(Special { value, says }) = specials.first().filter(|_| formula.symbols().len() >= FEWEST) else {
+        let Some(Special { value, says }) = specials.first().filter(|_| parts(formula) >= FEWEST) else {
             return Ok(None);
         };
-        for edit in self.edits_of(at, Some(formula.span)) {
+        for edit in self.edits_with_factors(at, Some(formula.span)) {
             let text = edit.applied(&display.text);
             let reading = read_display(&text, &mut checker.model.symbols.clone(), &checker.model.macros);
             let [Ok(edited)] = reading.statements.as_slice() else { continue };
@@ -78,41 +79,56 @@ impl Course<'_, '_> {
     fn specials(&self, at: usize, name: SymbolId, formula: &Expr) -> Vec<Special> {
         let checker = self.checker;
         let printed = &checker.model.symbols.entry(name).name;
-        if printed.subscript.is_empty() {
-            return Vec::new();
-        }
-        let places = self.places(at);
+        let mut places = self.places(at);
+        places.extend(self.extremum_before(at));
         if places.is_empty() {
             return Vec::new();
         }
         let own: Vec<SymbolId> = formula.symbols().into_iter().map(|(id, _)| id).collect();
         let mut found = Vec::new();
         // The formulas of the quantity without the subscript, the last first, also those of earlier sections.
-        let bases = checker.readings[..at].iter().rev().flat_map(|reading| &reading.statements);
-        for statement in bases.flatten() {
-            let Some(base) = statement.members.first().and_then(Expr::as_plain_symbol) else { continue };
-            let known = &checker.model.symbols.entry(base).name;
-            if base == name || known.base != printed.base || !known.subscript.is_empty() {
+        let places_before = (0..at).rev();
+        let statements = places_before
+            .flat_map(|place| checker.readings[place].statements.iter().flatten().map(move |base| (place, base)));
+        for (place, statement) in statements {
+            let Some(first) = statement.members.first() else { continue };
+            let is_general = match first.as_plain_symbol().map(|base| (base, &checker.model.symbols.entry(base).name)) {
+                Some((base, known)) => base == name || known.base == printed.base && known.subscript.is_empty(),
+                None => {
+                    let text = &checker.notes.equations[place].text;
+                    text.get(first.span.range()).is_some_and(|formula| is_special(&printed.base, formula))
+                }
+            };
+            if !is_general {
                 continue;
             }
             for general in statement.members[1..].iter().filter(|member| !moves(member)) {
                 for (symbol, place) in &places {
+                    let Some(general) = self.written_out(general, *symbol) else { continue };
                     let depends = general.symbols().iter().any(|(id, _)| id == symbol);
                     if depends && !own.contains(symbol) {
-                        let mut value = general.clone();
+                        let mut value = general;
                         value.substitute(&|node| match node {
                             Node::Symbol { id, dots: 0, .. } if id == symbol => Some(place.clone()),
                             _ => None,
                         });
-                        let shown = |id| text::plain(&checker.model.name(id));
-                        let place = text::formula(place, &checker.model.symbols);
-                        let says = format!("{} where {} = {place}", shown(base), shown(*symbol));
+                        let symbols = &checker.model.symbols;
+                        let [quantity, place] = [first, place].map(|formula| text::formula(formula, symbols));
+                        let symbol = text::plain(&checker.model.name(*symbol));
+                        let says = format!("{quantity} where {symbol} = {place}");
                         found.push(Special { value, says });
                     }
                 }
             }
         }
         found
+    }
+
+    /// The place of an extremum that the display before states.
+    fn extremum_before(&self, at: usize) -> Option<(SymbolId, Expr)> {
+        let notes = self.checker.notes;
+        let before = (0..at).rev().find(|place| !inline::is_inline(notes, &notes.equations[*place]))?;
+        self.place_of_extremum(before)
     }
 
     /// The places that the sentences between a display and the one before it state, the last first: `u = v/2`.
@@ -141,6 +157,23 @@ fn named(statement: &Statement) -> Option<(SymbolId, &Expr)> {
     };
     let is_one = is_equality(*relation) && statement.branch.is_none();
     name.as_plain_symbol().filter(|_| is_one && !formula.is_null()).map(|id| (id, formula))
+}
+
+/// The number of symbols, numbers and operations of a formula.
+fn parts(formula: &Expr) -> usize {
+    let mut count = 0;
+    formula.walk(&mut |_| count += 1);
+    count
+}
+
+/// Whether a printed name is that of a special value of a formula: `\\left( \\frac{A}{U} \\right)_{\\max}`.
+fn is_special(name: &str, formula: &str) -> bool {
+    let bare = |text: &str| {
+        let text = text.replace("\\left", "").replace("\\right", "");
+        text.chars().filter(|c| !c.is_whitespace() && !"{}".contains(*c)).collect::<String>()
+    };
+    let subscript = bare(name).strip_prefix(&format!("({})_", bare(formula))).map(str::len);
+    subscript.is_some_and(|length| length > 0)
 }
 
 /// Whether a rate stands in a formula.

@@ -164,7 +164,10 @@ impl Correction<'_> {
             return true;
         }
         // An equation of which one side is 0 is solved for a symbol that nothing determines: it is no slip for another one.
-        let is_open = |id: &&SymbolId| !matches!(model.meaning(**id), Some(Meaning::Defined(_)));
+        // With a name that has a formula in its place it says what this formula does: E r² + α r = … is none for U r² + α r = ….
+        let is_named =
+            new.iter().any(|id| matches!(model.meaning(**id), Some(Meaning::Defined(_) | Meaning::System(_))));
+        let is_open = |id: &&SymbolId| is_named || !matches!(model.meaning(**id), Some(Meaning::Defined(_)));
         if is_zero && before.iter().filter(is_open).any(|id| count(after, *id) < count(before, *id)) && !new.is_empty()
         {
             return true;
@@ -257,7 +260,7 @@ fn parts_factors(before: &str, replacement: &str) -> bool {
 }
 
 /// Whether a formula is a written-out matrix of at least two rows and columns.
-fn is_matrix(formula: &Expr) -> bool {
+pub(in crate::check::unaided) fn is_matrix(formula: &Expr) -> bool {
     matches!(&formula.node, Node::Matrix(rows) if rows.len() > 1 && rows.iter().all(|row| row.len() > 1))
 }
 

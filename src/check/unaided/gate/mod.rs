@@ -23,7 +23,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::Equation;
 
-pub(super) use likely::is_likely;
+pub(super) use likely::{is_likely, is_matrix};
 
 /// The most symbols that stand on one side only of what one slip separates from an identity.
 const MOST_ON_ONE_SIDE: usize = 2;
@@ -159,7 +159,7 @@ fn distinct(members: &[Expr], model: &Model) -> usize {
 }
 
 /// The symbols in a text, each as often as it stands there.
-fn symbols_of(text: &str, model: &Model) -> Vec<SymbolId> {
+pub(super) fn symbols_of(text: &str, model: &Model) -> Vec<SymbolId> {
     let reading = read_display(text, &mut model.symbols.clone(), &model.macros);
     let mut found = Vec::new();
     for member in reading.statements.iter().flatten().flat_map(|statement| &statement.members) {

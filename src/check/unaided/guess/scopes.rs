@@ -27,6 +27,9 @@ const SHORT: usize = 12;
 /// The level of a heading that does not say its level.
 const LOWEST: usize = 9;
 
+/// The level of bold words with which a paragraph begins: "**4. Dipole.** From the potential …".
+const RUN_IN: usize = 10;
+
 /// The most definitions that are carried over from before a scope.
 const CARRIED: usize = 60;
 
@@ -68,7 +71,7 @@ impl Outline {
         let found = sections(notes);
         // Where there are headings below those of the highest level, the latter are those of chapters.
         let highest = found.iter().map(|(_, level)| *level).min();
-        let has_lower = found.iter().any(|(_, level)| Some(*level) > highest);
+        let has_lower = found.iter().any(|(_, level)| Some(*level) > highest && *level < RUN_IN);
         let chapters = found.iter().filter(|(_, level)| has_lower && Some(*level) == highest);
         Outline {
             names: notes.equations.iter().map(named).collect(),
@@ -140,12 +143,23 @@ fn headings(text: &str) -> Vec<(usize, usize)> {
         let level = match command {
             Some(level) => Some(level + 1),
             None if is_marked => Some(content.len() - marked.len()),
-            None => (is_underline || is_exercise).then_some(LOWEST),
+            None if is_underline || is_exercise => Some(LOWEST),
+            None => (before.is_empty() && is_run_in(content)).then_some(RUN_IN),
         };
         found.extend(level.map(|level| (start, level)));
         (start, before) = (start + line.len(), content);
     }
     found
+}
+
+/// Whether a paragraph that begins with this line begins with a heading of its own.
+fn is_run_in(line: &str) -> bool {
+    let line = line.trim_start_matches("\\noindent").trim_start();
+    let is_bold = line.strip_prefix("**").is_some_and(|rest| rest.contains("**"));
+    is_bold
+        || ["\\textbf{", "\\paragraph{", "\\subparagraph{"]
+            .iter()
+            .any(|command| line.replace('*', "").starts_with(command))
 }
 
 /// The scope that begins with the `first`-th display, and the notes with its displays only, after those that are carried over.
@@ -183,7 +197,10 @@ mod tests {
         assert_eq!(headings("# A\n\ntext\n## B\n"), [(0, 1), (10, 2)]);
         assert_eq!(headings("text\n\\section*{A}\n"), [(5, 3)]);
         assert_eq!(headings("Name\n----\n"), [(5, LOWEST)]);
+        assert_eq!(headings("text\n\n**2. Dipole.** The field\n"), [(6, RUN_IN)]);
+        assert_eq!(headings("\\paragraph{Force}\n"), [(0, RUN_IN)]);
         assert!(headings("text\n\n---\n#tag\n= 3\n").is_empty());
+        assert!(headings("a\n**b** c\n\nthe **d** e\n").is_empty());
         assert!(headings("a = b\n").is_empty());
     }
 }

@@ -123,6 +123,12 @@ pub(super) fn sentence(notes: &Notes, at: usize) -> String {
     last_sentence(&all).to_owned()
 }
 
+/// The words between a display and the one before it, in small letters.
+pub(super) fn words_since_last(notes: &Notes, at: usize) -> String {
+    let words = without_comments(&notes.source.text[range(notes, at)]).to_lowercase();
+    words.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// What a display is about, if the sentence before it says so: the sphere of "for a sphere".
 pub(super) fn object(notes: &Notes, at: usize) -> Option<String> {
     const BEFORE: [&str; 12] = [

@@ -304,8 +304,12 @@ pub(super) const CONDITION: &[&str] = &[
 /// Words of another case, which differs by a sign, an axis or a factor.
 pub(super) const OTHER_CASE: &[&str] = &[
     "invert",
-    "repuls",
-    "attract",
+    "repulsive",
+    "attractive",
+    "attracts",
+    "attracting",
+    "for attraction",
+    "for repulsion",
     "opposite",
     "downward",
     "upward",
