@@ -191,3 +191,11 @@ fn a_letter_is_another_one_after_a_heading_within_a_paragraph() {
     assert_eq!(verdicts("sheet-slip", &slip)[3], "refuted");
     assert_ne!(verdicts("sheet-plain", &slip.replace("**", ""))[3], "refuted");
 }
+
+#[test]
+fn notes_that_cannot_be_set_up_are_reported_and_end_nothing() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/derivations/06-spinning-top.md");
+    let notes = std::fs::read_to_string(path).expect("the derivation is there");
+    let found = verdicts("top", &notes);
+    assert!(!found.is_empty() && !found.contains(&"refuted".to_owned()), "{found:?}");
+}

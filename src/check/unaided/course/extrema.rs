@@ -129,6 +129,12 @@ impl Course<'_, '_> {
         let [Ok(statement)] = reading.statements.as_slice() else { return Vec::new() };
         let Some((first, others)) = statement.members.split_first() else { return Vec::new() };
         let equates = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
+        // A correction may bring in a name that the notes do not have.
+        let known = self.checker.model.symbols.len();
+        let is_known = |formula: &Expr| formula.symbols().iter().all(|(id, _)| id.0 < known);
+        if !statement.members.iter().all(is_known) {
+            return Vec::new();
+        }
         if !equates || statement.branch.is_some() || !statement.conditions.is_empty() {
             return Vec::new();
         }
