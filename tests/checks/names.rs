@@ -360,5 +360,8 @@ fn a_distance_for_which_the_notes_give_equations_is_defined_by_its_formula() {
     // What may be a case is taken where the display passes with it, and refutes nothing.
     assert_eq!(found("For $r = x_1 - x_2$ we get", law), Verified);
     assert_eq!(found("For $r = x_1 - x_2$ we get", slip), Unreadable);
+    assert_eq!(found("At the distance $r = x_1 - x_2$ we get", law), Verified);
     assert_eq!(found("At the distance $r = x_1 - x_2$ we get", slip), Unreadable);
+    assert_eq!(found("For the distance $r = 2l$ we get", "k r = 2 k l"), Verified);
+    assert_eq!(found("For the distance $r = 2l$ we get", "k r = k l"), Unreadable);
 }

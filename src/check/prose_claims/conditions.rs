@@ -12,8 +12,7 @@ use crate::notes::claims::{Claim, Declaration, Range, Spanned};
 
 use super::notes_names::NotesNames;
 use super::places::is_value_of;
-use super::sought::INSTANTS;
-use super::words::{REST, Sentence};
+use super::words::{PASSING, REST, Sentence};
 use super::{ProseClaim, spanned};
 
 /// Words for the begin of a motion beside those for a release, as they begin.
@@ -223,7 +222,7 @@ impl Case {
     /// Adds that the coordinates of a display do not change at the instant of which the words speak: "the turning points are the roots
     /// of".
     fn stops(&mut self, names: &NotesNames<'_>, at: usize, words: &Sentence) {
-        if !words.says_phrase(&INSTANTS) {
+        if !words.says_phrase(&PASSING) {
             return;
         }
         let text = &names.notes.equations[at].text;

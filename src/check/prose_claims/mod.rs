@@ -29,7 +29,7 @@ mod notes_names;
 mod places;
 mod quantities;
 mod sought;
-mod words;
+pub(crate) mod words;
 
 use std::cell::OnceCell;
 

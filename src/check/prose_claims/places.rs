@@ -8,6 +8,7 @@ use crate::latex::{name_search, names};
 use crate::notes::claims::{Claim, Equilibrium, Range, Spanned};
 
 use super::notes_names::NotesNames;
+use super::words::PASSING;
 use super::{ProseClaim, spanned};
 
 /// Words for a state that lasts, as they begin.
@@ -33,9 +34,6 @@ const LASTING: [&str; 17] = [
 
 /// Words for rest and for what stays as it is. Longer words that begin so mean something else, as "restoring" does.
 const RESTS: [&str; 3] = ["rest", "constant", "uniformly"];
-
-/// Words for rest at a turning point, where nothing stays: "it comes to rest at θ_m".
-const TURNS: [&str; 5] = ["comes to rest", "come to rest", "came to rest", "momentarily", "instantaneously"];
 
 /// The value of a coordinate.
 pub(super) struct Place {
@@ -76,7 +74,7 @@ pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<Place> {
             let with_it = notes_names.displays_with(&value);
             let says_where = |at: &usize| {
                 let lasts = notes_names.sentence_of(*at).iter().any(|words| {
-                    (words.says(&LASTING) || words.has_word(&RESTS)) && !words.denies() && !words.says_phrase(&TURNS)
+                    (words.says(&LASTING) || words.has_word(&RESTS)) && !words.denies() && !words.says_phrase(&PASSING)
                 });
                 let is_own = notes_names.is_given_in(*at, &value);
                 let is_free = notes_names.is_free(*at) && !notes_names.has_coordinates(*at);

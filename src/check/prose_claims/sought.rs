@@ -9,27 +9,10 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Document;
 
 use super::notes_names::NotesNames;
-use super::words::Sentence;
+use super::words::{PASSING, ROOTS_OF, Sentence};
 
 /// Words for such equations, as they begin.
 const EQUATIONS: [&str; 5] = ["secular", "characteristic", "säkular", "charakteristisch", "séculaire"];
-
-/// The last words before such an equation, as they begin.
-const LAST: [&str; 9] = [
-    "root of",
-    "roots of",
-    "zero of",
-    "zeros of",
-    "solution of",
-    "solutions of",
-    "nullstellen von",
-    "lösungen von",
-    "racines de",
-];
-
-/// Words for an instant at which more holds than in general, as they begin.
-pub(super) const INSTANTS: [&str; 6] =
-    ["turning point", "turns back", "comes to rest", "come to rest", "for a moment", "umkehrpunkt"];
 
 /// Leaves open what was refuted and is an equation for something that is sought, if no words claim more of it.
 pub(super) fn leave_open(names: &NotesNames<'_>, is_claimed: impl Fn(usize) -> bool, found: &mut Document) {
@@ -60,5 +43,5 @@ pub(super) fn leave_open(names: &NotesNames<'_>, is_claimed: impl Fn(usize) -> b
 }
 
 fn is_about_something_sought(words: &Sentence) -> bool {
-    words.says(&EQUATIONS) || words.ends_with(&LAST) || words.says_phrase(&INSTANTS)
+    words.says(&EQUATIONS) || words.ends_with(&ROOTS_OF) || words.says_phrase(&PASSING)
 }

@@ -9,6 +9,43 @@ const RELEASED: [&str; 7] = ["releas", "start", "begin", "losgelass", "lâch", "
 /// Words for rest.
 pub(super) const REST: [&str; 5] = ["rest", "ruhe", "repos", "reposo", "riposo"];
 
+/// Words before an equation for something that is sought, as they begin.
+pub(crate) const ROOTS_OF: [&str; 15] = [
+    "root of",
+    "roots of",
+    "zero of",
+    "zeros of",
+    "zeroes of",
+    "solution of",
+    "solutions of",
+    "solution to",
+    "solutions to",
+    "nullstellen von",
+    "lösung von",
+    "lösungen von",
+    "racines de",
+    "solutions de",
+    "raíces de",
+];
+
+/// Words for an instant of the motion at which more holds than before and after, and at which nothing stays.
+pub(crate) const PASSING: [&str; 14] = [
+    "turning point",
+    "turns back",
+    "turn back",
+    "turns around",
+    "turns round",
+    "comes to rest",
+    "come to rest",
+    "came to rest",
+    "momentarily",
+    "instantaneously at rest",
+    "for a moment",
+    "umkehrpunkt",
+    "kommt zur ruhe",
+    "point de rebroussement",
+];
+
 /// The most bytes after a display that are taken for the end of its sentence.
 const LONGEST_END: usize = 160;
 

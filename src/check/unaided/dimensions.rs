@@ -112,7 +112,7 @@ fn statements<'c>(checker: &'c Checker<'_>, at: usize) -> Option<Vec<&'c Stateme
 }
 
 /// A check in which a value of a quantity, such as `x(t_1)`, has the dimension of the quantity, and so has the mean value
-/// `\\langle x^4 \\rangle` that of the formula in it.
+/// `\langle x^4 \rangle` that of the formula in it.
 fn check_with_values<'s>(symbols: &'s Symbols, macros: &Macros) -> UnitCheck<'s> {
     let mut check = UnitCheck::new(symbols);
     for (id, entry) in symbols.iter() {

@@ -24,7 +24,7 @@ pub(super) fn is_inline(notes: &Notes, display: &Display) -> bool {
 }
 
 /// The displays of notes with the formulas in sentences that define a name, in order. A formula may define a name that only another
-/// formula in a sentence uses: "with $k = \\sqrt{2mE}/\\hbar$ and the abbreviation $\\beta = m\\alpha/\\hbar^2 k$".
+/// formula in a sentence uses: "with $k = \sqrt{2mE}/\hbar$ and the abbreviation $\beta = m\alpha/\hbar^2 k$".
 pub(super) fn with_definitions(notes: &Notes, displays: Vec<Display>, macros: &Macros) -> Vec<Display> {
     let found = with_definitions_of(notes, displays.clone(), &[], macros);
     let inline: Vec<Display> = found.iter().filter(|display| is_inline(notes, display)).cloned().collect();
@@ -107,7 +107,7 @@ fn formula(notes: &Notes, span: Span) -> Option<Display> {
     })
 }
 
-/// A definition by the first member of its chain whose names the displays have: of `V = mgh = mg\\ell(1 - \\cos\\theta)` the last one,
+/// A definition by the first member of its chain whose names the displays have: of `V = mgh = mg\ell(1 - \cos\theta)` the last one,
 /// where no display has h.
 fn with_known_names(
     display: Display,

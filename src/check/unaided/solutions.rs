@@ -108,8 +108,8 @@ fn roots(reading: &Reading) -> Vec<SymbolId> {
     statements.filter_map(|statement| statement.members.first().and_then(Expr::as_plain_symbol)).collect()
 }
 
-/// The unknown of which a display prints the values with indices: s for `s_{1,2} = -\\gamma \\pm \\dots`, and ω for
-/// `\\omega_\\pm = \\dots`.
+/// The unknown of which a display prints the values with indices: s for `s_{1,2} = -\gamma \pm \dots`, and ω for
+/// `\omega_\pm = \dots`.
 pub(super) fn root(reading: &Reading, model: &Model) -> Option<SymbolId> {
     let mut found = None;
     for statement in &reading.statements {

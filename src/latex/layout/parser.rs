@@ -262,7 +262,7 @@ impl<'a> Parser<'a> {
             return Item { layout: Layout::Fence(Delimiter::Bra, label), span: open.to(Span::at(self.previous_end())) };
         }
         let mut items = self.list(Until::Fence(delimiter));
-        // `[a \\\\ & + b]`: a parenthesis goes on in the next row.
+        // `[a \\ & + b]`: a parenthesis goes on in the next row.
         if matches!(delimiter, Delimiter::Round | Delimiter::Square) {
             items.retain(|item| !matches!(item.layout, Layout::Row | Layout::Align));
         }

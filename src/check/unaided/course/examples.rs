@@ -14,8 +14,8 @@ use crate::check::repair::culprit::is_common;
 use crate::check::repair::ranking::{adds_parentheses, rank};
 use crate::check::repair::suggest::is_in_source;
 use crate::check::unaided::course::Course;
+use crate::check::unaided::gate;
 use crate::check::verdict::Verdict;
-use crate::check::verdict::finding::Finding;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
@@ -72,13 +72,7 @@ impl Course<'_, '_> {
         let context = self.context(&[]);
         let compare = |formula: &Expr| compared(formula, example.numbers, example.is_approximate, &context);
         let shown: Vec<String> = used.iter().map(|given| self.shown(given)).collect();
-        let finding = |verdict: Verdict, code: Code, message: String| Equation {
-            finding: Finding::new(code, verdict, found.finding.span, message),
-            parts: Vec::new(),
-            repairs: Vec::new(),
-            ok: verdict != Verdict::Refuted,
-            ..found.clone()
-        };
+        let finding = |verdict: Verdict, code: Code, message: String| gate::settled(found, (verdict, code), message);
         let outcome = compare(&with_values);
         if outcome == Comparison::Agree {
             let message =

@@ -10,9 +10,9 @@ use crate::Result;
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
 use crate::check::unaided::course::Course;
+use crate::check::unaided::gate;
 use crate::check::unaided::prose;
 use crate::check::verdict::Verdict;
-use crate::check::verdict::finding::Finding;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
@@ -84,13 +84,7 @@ impl Course<'_, '_> {
         if !self.speaks_of_an_extremum(at) {
             return Ok(None);
         }
-        let finding = |verdict: Verdict, code: Code, message: String| Equation {
-            finding: Finding::new(code, verdict, found.finding.span, message),
-            parts: Vec::new(),
-            repairs: Vec::new(),
-            ok: verdict != Verdict::Refuted,
-            ..found.clone()
-        };
+        let finding = |verdict: Verdict, code: Code, message: String| gate::settled(found, (verdict, code), message);
         let places = self.places_of(&checker.readings[at], at);
         let Some(first) = places.first() else { return Ok(None) };
         let quantities = self.quantities(at, first.symbol);
@@ -124,7 +118,7 @@ impl Course<'_, '_> {
         Ok(None)
     }
 
-    /// The places that the only statement of a display gives: that of each formula in `\\omega_r = A = B`.
+    /// The places that the only statement of a display gives: that of each formula in `\omega_r = A = B`.
     fn places_of(&self, reading: &Reading, at: usize) -> Vec<Place> {
         let [Ok(statement)] = reading.statements.as_slice() else { return Vec::new() };
         let Some((first, others)) = statement.members.split_first() else { return Vec::new() };

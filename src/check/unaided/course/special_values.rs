@@ -9,9 +9,9 @@ use crate::Result;
 use crate::check::document::inferred::prose::body_of;
 use crate::check::model::claim::is_equality;
 use crate::check::unaided::course::Course;
+use crate::check::unaided::gate;
 use crate::check::unaided::inline;
 use crate::check::verdict::Verdict;
-use crate::check::verdict::finding::Finding;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
@@ -41,13 +41,7 @@ impl Course<'_, '_> {
         if matches!(found.finding.verdict, Verdict::Certified | Verdict::Verified) {
             return Ok(None);
         }
-        let finding = |verdict: Verdict, code: Code, message: String| Equation {
-            finding: Finding::new(code, verdict, found.finding.span, message),
-            parts: Vec::new(),
-            repairs: Vec::new(),
-            ok: verdict != Verdict::Refuted,
-            ..found.clone()
-        };
+        let finding = |verdict: Verdict, code: Code, message: String| gate::settled(found, (verdict, code), message);
         let is_equal = |a: &Expr, b: &Expr| -> Result<bool> {
             Ok(self.constant_ratio(a, b)?.is_some_and(|ratio| (ratio - 1.0).abs() < ROUNDING))
         };
@@ -166,7 +160,7 @@ fn parts(formula: &Expr) -> usize {
     count
 }
 
-/// Whether a printed name is that of a special value of a formula: `\\left( \\frac{A}{U} \\right)_{\\max}`.
+/// Whether a printed name is that of a special value of a formula: `\left( \frac{A}{U} \right)_{\max}`.
 fn is_special(name: &str, formula: &str) -> bool {
     let bare = |text: &str| {
         let text = text.replace("\\left", "").replace("\\right", "");

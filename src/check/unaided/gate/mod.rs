@@ -271,3 +271,14 @@ fn finding_as_it_counts(finding: Finding) -> Finding {
         _ => finding,
     }
 }
+
+/// An equation with a finding of its own in the place of those of its parts.
+pub(super) fn settled(found: &Equation, (verdict, code): (Verdict, Code), message: String) -> Equation {
+    Equation {
+        finding: Finding::new(code, verdict, found.finding.span, message),
+        parts: Vec::new(),
+        repairs: Vec::new(),
+        ok: verdict != Verdict::Refuted,
+        ..found.clone()
+    }
+}

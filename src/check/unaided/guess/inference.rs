@@ -34,7 +34,7 @@ const DIRECTIONS: [&str; 20] = [
     "\\imath", "\\jmath", "\\ell",
 ];
 
-/// Letters that change where a formula with them is said to be constant, as in `pV^\\gamma = \\text{const}`.
+/// Letters that change where a formula with them is said to be constant, as in `pV^\gamma = \text{const}`.
 const QUANTITIES_OF_STATE: [&str; 8] = ["p", "P", "V", "v", "T", "S", "U", "y"];
 
 /// The range of γ in the exponents of an adiabat, C_p/C_V.

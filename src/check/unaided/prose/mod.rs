@@ -7,10 +7,9 @@ use std::ops::Range;
 use crate::latex::lines::implication;
 use crate::notes::Notes;
 
+use crate::check::prose_claims::words::{PASSING, ROOTS_OF};
 use crate::check::unaided::inline::is_inline;
-use crate::check::unaided::prose::words::{
-    ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, PASSING, ROOTS_OF, SOLUTION, WEAK,
-};
+use crate::check::unaided::prose::words::{ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, SOLUTION, WEAK};
 
 /// The most bytes before a display that are taken for its words.
 const LONGEST: usize = 400;
@@ -91,7 +90,7 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
     // In English it is no word for what follows.
     let is_german_also = sentence.trim().trim_end_matches([',', ':']) == "also";
     let announced = match (says(ASSUMPTION), says(CONSEQUENCE) || is_german_also) {
-        _ if asks_for_roots(&sentence) || says(PASSING) => Announced::Assumption,
+        _ if asks_for_roots(&sentence) || says(&PASSING) => Announced::Assumption,
         (true, _) if says_only(WEAK, &sentence) => Announced::Condition,
         (true, _) => Announced::Assumption,
         (false, true) => Announced::Consequence,

@@ -95,42 +95,6 @@ pub(super) const CONSEQUENCE: &[&str] = &[
     "sostituend",
 ];
 
-/// Words before an equation for something that is sought.
-pub(super) const ROOTS_OF: &[&str] = &[
-    "root of",
-    "roots of",
-    "zero of",
-    "zeros of",
-    "zeroes of",
-    "solution of",
-    "solutions of",
-    "solution to",
-    "solutions to",
-    "nullstellen von",
-    "lösung von",
-    "lösungen von",
-    "racines de",
-    "solutions de",
-    "raíces de",
-];
-
-/// Words for an instant of the motion at which something holds that does not hold before and after.
-pub(super) const PASSING: &[&str] = &[
-    "turning point",
-    "turns back",
-    "turn back",
-    "turns around",
-    "turns round",
-    "comes to rest",
-    "come to rest",
-    "momentarily",
-    "instantaneously at rest",
-    "for a moment",
-    "umkehrpunkt",
-    "kommt zur ruhe",
-    "point de rebroussement",
-];
-
 /// Words that announce what is assumed, chosen or only nearly true.
 pub(super) const ASSUMPTION: &[&str] = &[
     "assum",

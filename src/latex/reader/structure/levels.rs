@@ -15,7 +15,7 @@ use crate::formula::symbols::Inferred;
 use super::super::super::layout::{Item, Layout};
 use super::super::super::names;
 use super::super::super::rows::relation;
-use super::super::items::contents;
+use super::super::items::{contents, parts};
 use super::super::state::Reader;
 use super::printed;
 
@@ -122,14 +122,7 @@ impl Found {
                     _ => self.one(nucleus),
                 }
             }
-            Layout::Group(items) | Layout::Fence(_, items) => self.list(items),
-            Layout::Fraction(a, b) => {
-                self.list(contents(a));
-                self.list(contents(b));
-            }
-            Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => self.list(contents(a)),
-            Layout::Environment(_, rows) => rows.iter().flatten().for_each(|cell| self.list(cell)),
-            _ => {}
+            _ => parts(item).into_iter().for_each(|part| self.list(part)),
         }
     }
 }
