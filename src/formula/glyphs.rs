@@ -17,7 +17,10 @@ pub fn plain(latex: &str) -> String {
             && let Some(inner) = rest.strip_prefix('{')
             && let Some(close) = matching(inner)
         {
-            text.push_str(&plain(&inner[..close]));
+            match alphabet(name, &inner[..close]) {
+                Some(letter) => text.push(letter),
+                None => text.push_str(&plain(&inner[..close])),
+            }
             text.push_str(mark);
             rest = &inner[close + 1..];
             continue;
@@ -127,11 +130,34 @@ fn mark(command: &str) -> Option<&'static str> {
         "bar" => "\u{304}",
         "tilde" => "\u{303}",
         "mathring" => "\u{30a}",
+        "slashed" => "\u{338}",
         "underline" => "\u{332}",
         "overleftrightarrow" => "\u{20e1}",
         "mathbf" | "mathrm" | "mathbb" | "mathcal" | "mathfrak" | "mathscr" | "text" => "",
         _ => return None,
     })
+}
+
+/// A letter of another alphabet, so that 𝒜 and A are not printed alike.
+fn alphabet(command: &str, inner: &str) -> Option<char> {
+    let mut letters = inner.chars();
+    let (letter, None) = (letters.next()?, letters.next()) else { return None };
+    let (capitals, smalls, others) = match command {
+        // Letters that Unicode had before the alphabet have other places.
+        "mathcal" | "mathscr" => ('𝒜', '𝒶', "BℬEℰFℱHℋIℐLℒMℳRℛeℯgℊoℴ"),
+        "mathfrak" => ('𝔄', '𝔞', "CℭHℌIℑRℜZℨ"),
+        _ => return None,
+    };
+    let pairs: Vec<char> = others.chars().collect();
+    if let [_, other] = pairs.chunks(2).find(|pair| pair[0] == letter).unwrap_or_default() {
+        return Some(*other);
+    }
+    let (first, at) = match letter {
+        'A'..='Z' => (capitals, letter as u32 - u32::from('A')),
+        'a'..='z' => (smalls, letter as u32 - u32::from('a')),
+        _ => return None,
+    };
+    char::from_u32(u32::from(first) + at)
 }
 
 /// The commands that print one character, without the backslash.

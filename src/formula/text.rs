@@ -229,6 +229,13 @@ impl Writer<'_> {
             text.extend(at.checked_sub(1).map(hole));
             text.push_str(piece);
         }
+        // A mark above a product prints as a word, as a combining mark would stand above its last letter only.
+        for (at, argument) in arguments.iter().enumerate() {
+            let marked = format!("\\bar{{{}}}", hole(at));
+            if text.contains(&marked) && !matches!(argument.node, Node::Symbol { .. } | Node::Number(_)) {
+                text = text.replacen(&marked, &format!("overline({})", hole(at)), 1);
+            }
+        }
         let mut text = plain(&text);
         for (at, argument) in arguments.iter().enumerate() {
             let is_enclosed = template.split('#').nth(at).is_some_and(|before| before.ends_with('('));

@@ -104,6 +104,11 @@ fn whole(items: &[Item]) -> Option<&[Vec<Vec<Item>>]> {
     (has_rows || is_array || is_system(name, rows)).then_some(rows.as_slice())
 }
 
+/// The rows of an environment, cell by cell.
+fn rows_of(rows: &[Vec<Vec<Item>>]) -> Vec<Vec<Vec<&Item>>> {
+    rows.iter().map(|cells| cells.iter().map(|cell| cell.iter().collect()).collect()).collect()
+}
+
 fn cells_of(row: &[Item]) -> Vec<Vec<&Item>> {
     row.split(|item| item.layout == Layout::Align).map(|cell| cell.iter().collect()).collect()
 }
@@ -111,6 +116,17 @@ fn cells_of(row: &[Item]) -> Vec<Vec<&Item>> {
 /// The rows of a row that ends with rows of its own.
 fn flattened(row: &[Item]) -> Vec<Vec<Vec<&Item>>> {
     let is_blank = |item: &Item| matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ','));
+    // A system before further statements: `\begin{cases} x = 1 \\ y = 2 \end{cases} \quad z = 3`.
+    if let Some(at) = row.iter().position(|item| !is_blank(item))
+        && let Layout::Environment(name, inner) = &row[at].layout
+        && is_system(name, inner)
+        && row[at + 1..].iter().any(|item| !is_blank(item))
+        && row.get(at + 1).is_some_and(|next| matches!(next.layout, Layout::Space(Space::Wide) | Layout::Other(',')))
+    {
+        let mut rows = rows_of(inner);
+        rows.extend(flattened(&row[at + 2..]));
+        return rows;
+    }
     let end = row.iter().rposition(|item| !is_blank(item)).map_or(0, |at| at + 1);
     let Some((Item { layout: Layout::Environment(name, inner), .. }, before)) = row[..end].split_last() else {
         return vec![cells_of(row)];
@@ -127,8 +143,7 @@ fn flattened(row: &[Item]) -> Vec<Vec<Vec<&Item>>> {
     {
         return vec![cells_of(row)];
     }
-    let mut rows: Vec<Vec<Vec<&Item>>> =
-        inner.iter().map(|cells| cells.iter().map(|cell| cell.iter().collect()).collect()).collect();
+    let mut rows = rows_of(inner);
     if let Some(first) = rows.first_mut().and_then(|row: &mut Vec<Vec<&Item>>| row.first_mut()) {
         first.splice(0..0, before.iter().filter(|item| item.layout != Layout::Align));
     }

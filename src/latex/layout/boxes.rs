@@ -103,3 +103,29 @@ fn group(tokens: &[Token], open: usize) -> Option<(usize, usize)> {
 fn is(token: &Token, command: &str) -> bool {
     matches!(&token.kind, TokenKind::Command(name) if name == command)
 }
+
+/// A formula without the signs that set it as one: `$x$`, `$$x$$`, `\(x\)`, `\[x\]`.
+pub(super) fn without_delimiters(mut tokens: Vec<Token>) -> Vec<Token> {
+    let is_space = |token: &Token| matches!(token.kind, TokenKind::Space(_));
+    let is_dollar = |token: &Token| token.kind == TokenKind::Other('$');
+    let is_command = |token: &Token, name: &str| matches!(&token.kind, TokenKind::Command(found) if found == name);
+    let start = tokens.iter().position(|token| !is_space(token)).unwrap_or(0);
+    let end = tokens.iter().rposition(|token| !is_space(token)).map_or(0, |last| last + 1);
+    let inside = &tokens[start..end];
+    let dollars = inside.iter().take_while(|token| is_dollar(token)).count();
+    let length = match inside {
+        [first, .., last] if is_command(first, "\\[") && is_command(last, "\\]") => 1,
+        [first, .., last] if is_command(first, "\\(") && is_command(last, "\\)") => 1,
+        _ if (1..=2).contains(&dollars)
+            && inside.len() > 2 * dollars
+            && inside.iter().filter(|token| is_dollar(token)).count() == 2 * dollars
+            && inside[inside.len() - dollars..].iter().all(is_dollar) =>
+        {
+            dollars
+        }
+        _ => return tokens,
+    };
+    tokens.truncate(end - length);
+    tokens.drain(..start + length);
+    tokens
+}

@@ -1,5 +1,5 @@
 //! Marks that authors set in several ways: the d and ∂ of a derivative in bold or as a word, `\mathbf{\partial B}`, `\text{d}`; bold signs of products;
-//! two bars of a bra and a ket; the bar of a place; the sign at the end of a proof.
+//! two bars of a bra and a ket; the bar of a place; the bars of a norm, `||x||`; the sign at the end of a proof.
 
 use super::super::lexer::{Token, TokenKind};
 
@@ -7,6 +7,9 @@ use super::super::lexer::{Token, TokenKind};
 pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
     let mut found: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut open_bars = 0_usize;
+    // The `||` at which a norm ends.
+    let mut end_of_norm = None;
+    let mut bars = 0_usize;
     let mut at = 0;
     while at < tokens.len() {
         let token = &tokens[at];
@@ -44,7 +47,25 @@ pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
             at += 1;
             continue;
         }
+        if bars % 2 == 0 && end_of_norm.is_none() {
+            end_of_norm = norm_length(&tokens[at..]).map(|length| at + length);
+        }
+        if end_of_norm == Some(at) || end_of_norm.is_some() && is_double_bar(&tokens[at..]) {
+            end_of_norm = end_of_norm.filter(|end| *end != at);
+            found.push(Token { kind: TokenKind::Command("\\|".to_owned()), span: span.to(tokens[at + 1].span) });
+            at += 2;
+            continue;
+        }
+        bars += usize::from(token.kind == TokenKind::Other('|'));
         match &token.kind {
+            // `\big\vert_{x=a}`
+            TokenKind::Command(name)
+                if name == "\\vert" && tokens.get(at + 1).is_some_and(|next| next.kind == TokenKind::Sub) =>
+            {
+                found.push(Token { kind: TokenKind::Other('|'), span });
+                at += 1;
+                continue;
+            }
             TokenKind::Command(name) if name == "\\lvert" => open_bars += 1,
             // `\biggr\rvert_{x=a}`: nothing opens it.
             TokenKind::Command(name) if name == "\\rvert" => match open_bars.checked_sub(1) {
@@ -70,6 +91,24 @@ pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
         at += 1;
     }
     found
+}
+
+/// Whether two bars touch.
+fn is_double_bar(tokens: &[Token]) -> bool {
+    matches!(tokens, [first, second, ..] if first.kind == TokenKind::Other('|')
+        && second.kind == TokenKind::Other('|')
+        && first.span.end == second.span.start)
+}
+
+/// The number of tokens before the second `||` of `||x||`, in which no other bar stands.
+fn norm_length(tokens: &[Token]) -> Option<usize> {
+    if !is_double_bar(tokens) {
+        return None;
+    }
+    let next = 2 + tokens[2..].iter().position(|token| token.kind == TokenKind::Other('|'))?;
+    let is_closed = tokens[2..next].iter().filter(|token| token.kind == TokenKind::Open).count()
+        == tokens[2..next].iter().filter(|token| token.kind == TokenKind::Close).count();
+    (next > 2 && is_closed && is_double_bar(&tokens[next..])).then_some(next)
 }
 
 /// The number of tokens of `\mathbf{\partial B}` or `\vec{dl}`.

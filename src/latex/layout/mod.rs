@@ -1,9 +1,10 @@
 //! The typeset structure of a formula: groups, fences, fractions, scripts, accents, rows. Nothing has a meaning yet.
 //!
 //! `item` has the layout tree, `parser` builds it from tokens, `text` from a text with macros; `lengths` reads spaces with a
-//! length, `boxes` formulas in boxes of text, `marks` the marks of derivatives that are set in bold or as words, `spelled` functions without a backslash; `delimiters` and `angles` pair what opens and closes, and `print` writes items as LaTeX again. `units` finds the
-//! units after numbers, `values` the runs of items that are declared to be one quantity, and `rest` the terms that are left
-//! out at the end of a sum.
+//! length, `boxes` formulas in boxes of text, `marks` the marks of derivatives that are set in bold or as words, `spelled`
+//! functions without a backslash; `delimiters` and `angles` pair what opens and closes, `fences` reads what stands between
+//! `\left` and `\right`, and `print` writes items as LaTeX again. `units` finds the units after numbers, `values` the runs of
+//! items that are declared to be one quantity, and `rest` the terms that are left out at the end of a sum.
 //! [`layout`] cannot fail; what it does not understand becomes a [`Layout::Fault`] at its place.
 //!
 //! This folder may import the lexer, the macros and the normalizer of [`super`].
@@ -19,12 +20,12 @@ mod angles;
 #[cfg(feature = "notes")]
 mod boxes;
 mod delimiters;
+mod fences;
 mod item;
 #[cfg(feature = "notes")]
 mod lengths;
 #[cfg(feature = "notes")]
 mod marks;
-mod numbers;
 mod parser;
 #[cfg(feature = "notes")]
 mod print;

@@ -8,9 +8,8 @@ use crate::source::{Fault, Span};
 
 use super::super::lexer::{Space, Token, TokenKind};
 use super::angles::{bars_before_angle, bra_length, is_lone_bar};
-use super::delimiters::{closing, glyph, is_plain_bar, opening};
+use super::delimiters::{closing, glyph, is_plain_bar};
 use super::item::{Delimiter, Item, Layout, is_derivative_mark, letters};
-use super::numbers::is_decimal_comma;
 use super::units;
 
 /// The most levels of groups inside groups; equations in notes have far fewer.
@@ -18,7 +17,7 @@ const DEEPEST: usize = 64;
 
 /// What ends the list that is being read.
 #[derive(Clone, Copy, PartialEq)]
-enum Until {
+pub(super) enum Until {
     End,
     Brace,
     Bracket,
@@ -59,7 +58,7 @@ pub(super) struct Parser<'a> {
     depth: usize,
     length: usize,
     /// Whether the list being read stands directly in angle brackets.
-    angles: usize,
+    pub(super) angles: usize,
 }
 
 impl<'a> Parser<'a> {
@@ -82,7 +81,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Items up to, and without, the token that ends the list (or one that can only end an outer list).
-    fn list(&mut self, until: Until) -> Vec<Item> {
+    pub(super) fn list(&mut self, until: Until) -> Vec<Item> {
         let mut items = Vec::new();
         if self.depth >= DEEPEST {
             let start = self.end().start;
@@ -244,7 +243,7 @@ impl<'a> Parser<'a> {
     }
 
     /// A fence or group without its end: the deepest fault wins, since it was probably the cause.
-    fn unclosed(&self, open: Span, what: &str, items: Vec<Item>) -> Item {
+    pub(super) fn unclosed(&self, open: Span, what: &str, items: Vec<Item>) -> Item {
         match items.into_iter().rev().find(|item| matches!(item.layout, Layout::Fault(_))) {
             Some(inner) => inner,
             None => fault(open, format!("this {what} is never closed")),
@@ -326,9 +325,18 @@ impl<'a> Parser<'a> {
             | "\\grave"
             | "\\underline"
             | "\\cancel"
+            | "\\slashed"
             | "\\mathring"
             | "\\overleftrightarrow" => Layout::Accent(name.to_owned(), Box::new(self.argument(span))),
             "\\mathbf" | "\\mathrm" | "\\mathbb" | "\\mathcal" | "\\mathfrak" | "\\mathscr" | "\\mathtt" => {
+                // `\operatorname*{min}`
+                if let [star, open, ..] = &self.tokens[self.at..]
+                    && star.kind == TokenKind::Other('*')
+                    && star.span.start == self.previous_end()
+                    && open.kind == TokenKind::Open
+                {
+                    self.next();
+                }
                 let inner = self.argument(span);
                 // `\mathrm{.}`: a full stop in another font.
                 let mark = match &inner.layout {
@@ -397,57 +405,6 @@ impl<'a> Parser<'a> {
         units::word(word, &argument, span.to(Span::at(self.previous_end())))
     }
 
-    fn left(&mut self, span: Span) -> Item {
-        let Some(token) = self.next() else {
-            return fault(span, "\\left needs a delimiter");
-        };
-        let opening = opening(token);
-        let outer = std::mem::replace(&mut self.angles, usize::from(opening == Some(Delimiter::Angle)));
-        let items = self.list(Until::Right);
-        self.angles = outer;
-        match self.peek() {
-            Some(right) if right.kind == TokenKind::Command("\\right".into()) => self.next(),
-            _ => return self.unclosed(span, "\\left", items),
-        };
-        let Some(close) = self.next() else {
-            return fault(span, "the \\right of this \\left needs a delimiter");
-        };
-        let whole = span.to(close.span);
-        // A brace before rows alone is `cases`.
-        if let (Some(Delimiter::Curly), TokenKind::Other('.')) = (opening, &close.kind)
-            && let [only] = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect::<Vec<_>>()[..]
-            && let Layout::Environment(_, rows) = &only.layout
-        {
-            return Item {
-                layout: Layout::Environment("cases".to_owned(), Item::inner_rows(rows).to_vec()),
-                span: whole,
-            };
-        }
-        let closing = match close.kind {
-            TokenKind::Other('>') => Some(Delimiter::Angle),
-            _ => closing(close),
-        };
-        match (opening, closing) {
-            (Some(a), Some(b)) if a == b => Item { layout: Layout::Fence(a, items), span: whole },
-            (Some(Delimiter::Bar), Some(Delimiter::Angle)) => {
-                Item { layout: Layout::Fence(Delimiter::Ket, items), span: whole }
-            }
-            (Some(Delimiter::Angle), Some(Delimiter::Bar)) => {
-                Item { layout: Layout::Fence(Delimiter::Bra, items), span: whole }
-            }
-            (Some(Delimiter::Round), Some(Delimiter::Square)) => {
-                Item { layout: Layout::Fence(Delimiter::LeftOpen, items), span: whole }
-            }
-            (Some(Delimiter::Square), Some(Delimiter::Round)) => {
-                Item { layout: Layout::Fence(Delimiter::RightOpen, items), span: whole }
-            }
-            (None, Some(Delimiter::Bar)) if token.kind == TokenKind::Other('.') => {
-                Item { layout: Layout::Fence(Delimiter::Evaluation, items), span: whole }
-            }
-            _ => of_fault(Fault::unsupported(whole, "this pair of delimiters of \\left and \\right is not supported")),
-        }
-    }
-
     fn environment(&mut self, span: Span) -> Item {
         let name = letters(&self.argument(span));
         // Column specifications and numbers of columns set nothing that matters.
@@ -495,4 +452,15 @@ fn trimmed(item: Item) -> Item {
         }
         _ => item,
     }
+}
+
+/// Whether a decimal comma in braces, `3{,}5`, comes next after the digits `whole` that end at `end`. Three digits after it may
+/// be a group of thousands, but for those after a 0.
+fn is_decimal_comma(tokens: &[Token], end: usize, whole: &str) -> bool {
+    let [open, comma, close, decimals @ ..] = tokens else { return false };
+    let is_comma = comma.kind == TokenKind::Other(',') && close.kind == TokenKind::Close;
+    let is_tight = open.span.start == end && close.span.end == end + "{,}".len();
+    let is_digit = |token: &&Token| matches!(token.kind, TokenKind::Digit(c) if c != '.');
+    let count = decimals.iter().take_while(is_digit).count();
+    is_comma && is_tight && count > 0 && (count != 3 || whole == "0")
 }

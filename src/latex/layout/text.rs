@@ -6,7 +6,7 @@ use crate::source::{Fault, Span};
 use super::super::lexer::{Token, TokenKind, tokens};
 use super::super::macros::Macros;
 use super::super::normalize::normalized;
-use super::boxes::without_boxes;
+use super::boxes::{without_boxes, without_delimiters};
 use super::item::Item;
 use super::lengths::with_plain_spaces;
 use super::marks::with_plain_marks;
@@ -25,7 +25,7 @@ pub(crate) fn typeset_items(text: &str, macros: &Macros) -> Result<Vec<Item>, Fa
             .code(Code::TooLarge)
             .help("split it into several equations"));
     }
-    let tokens = with_plain_spaces(with_ellipses(macros.expand(tokens(text))?));
+    let tokens = with_plain_spaces(with_ellipses(macros.expand(without_delimiters(tokens(text)))?));
     let items = layout(&normalized(with_units(with_commands(with_plain_marks(without_boxes(tokens))))), text.len());
     Ok(with_rests(macros.values.named(items)))
 }

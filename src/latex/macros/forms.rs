@@ -10,6 +10,7 @@
 //! | `\eval{f}_a^b`, `\order{x^3}` | the bar of an evaluation, a remainder |
 //! | `\mqty(…)`, `\mqty[…]` | a matrix |
 //! | `\pmatrix{a & b \cr c & d}` | a matrix, as plain TeX writes it; the same for `\matrix` and `\cases` |
+//! | `\eqalign{a &= b \cr c &= d}` | rows, as plain TeX writes them; the same for `\displaylines` |
 //! | `\sin[2](x)` | a power of a function |
 //! | `\braket{a|b}`, `\braket{a}{b}` | a product of states |
 //! | `\ev{A}`, `\expval{A}{\psi}` | a mean value, and one in a state |
@@ -26,7 +27,7 @@ const TOTAL: [&str; 8] = ["dv", "derivative", "od", "odv", "deriv", "der", "dn",
 const PARTIAL: [&str; 9] =
     ["pdv", "partialderivative", "pderivative", "pd", "pdiff", "pder", "pderiv", "partd", "diffp"];
 const FUNCTIONS: [&str; 9] = ["sin", "cos", "tan", "sinh", "cosh", "tanh", "sec", "csc", "cot"];
-const OTHERS: [&str; 22] = [
+const OTHERS: [&str; 24] = [
     "dd",
     "differential",
     "diff",
@@ -49,6 +50,8 @@ const OTHERS: [&str; 22] = [
     "matrix",
     "pmatrix",
     "cases",
+    "eqalign",
+    "displaylines",
 ];
 
 /// Whether a command is one of these.
@@ -90,6 +93,10 @@ pub(super) fn expansion(
         "matrix" | "pmatrix" | "cases" => {
             let body = format!("\\begin{{{name}}}#1\\end{{{name}}}");
             group(pending).map(|rows| form.text(&body, &[rows]))
+        }
+        "eqalign" | "displaylines" => {
+            let rows = form.needed(pending)?;
+            Some(form.text("\\begin{aligned}#1\\end{aligned}", &[rows]))
         }
         "num" => Some(form.number(pending)?),
         "ang" => Some(form.with("{#1}^{\\circ}", pending)?),

@@ -1,7 +1,8 @@
 //! Where the condition of a statement begins and ends: `\text{for } x > 0`, `\text{at } y = 1`.
 
-use super::super::layout::{Delimiter, Item, Layout};
+use super::super::layout::{Delimiter, Item, Layout, latex};
 use super::super::lexer::Space;
+use super::super::reader::items::contents;
 use super::super::rows::relation;
 use super::separators::{joins, separates};
 
@@ -9,6 +10,10 @@ use super::separators::{joins, separates};
 pub(super) fn begins_condition(item: &Item) -> bool {
     match &item.layout {
         Layout::Command(name) => name == "\\forall",
+        // `{\rm in} \ \Omega`
+        Layout::Style(style, inner) if style == "\\mathrm" => {
+            ["in", "on", "at", "for", "if", "when"].contains(&latex(contents(inner)).trim())
+        }
         Layout::Text(word) => matches!(
             word.trim_matches(|c: char| c == ',' || c == '.').to_ascii_lowercase().as_str(),
             "for"

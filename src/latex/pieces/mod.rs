@@ -58,7 +58,7 @@ fn share_conditions(pieces: &mut [Piece<'_>]) {
 
 /// Joins what stands alone beside a comma with its neighbour: `i = 1, 2, 3` and `x, y > 0` have lists as members.
 fn join_lists(pieces: &mut Vec<Piece<'_>>) {
-    let is_whole = |piece: &Piece<'_>| piece.links.len() > 1 || piece.constant.is_some();
+    let is_whole = |piece: &Piece<'_>| piece.links.len() > 1 || piece.constant.is_some() || piece.has_sign();
     let mut joined: Vec<Piece<'_>> = Vec::with_capacity(pieces.len());
     for mut here in std::mem::take(pieces) {
         let fits = |before: &Piece<'_>| {

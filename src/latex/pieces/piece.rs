@@ -1,11 +1,13 @@
 //! A statement as items.
 
+use crate::formula::operators::Function;
 use crate::formula::tree::Relation;
 use crate::source::{Fault, Span};
 
-use super::super::layout::Item;
+use super::super::layout::{Item, Layout};
+use super::super::names;
 use super::super::reader::structure::{is_extremum, states};
-use super::super::rows::is_significant;
+use super::super::rows::{is_operator, is_significant};
 
 /// A statement as items: each member with the relation before it; the first has none.
 pub(in super::super) struct Piece<'a> {
@@ -56,6 +58,26 @@ impl Piece<'_> {
         let [Link { relation: None, items }] = self.links.as_slice() else { return false };
         let mut solid = items.iter().filter(is_significant);
         solid.next().is_some_and(|first| is_extremum(first)) && solid.next().is_none()
+    }
+
+    /// The space of `\sin x = a \; \csc x = b`, which may separate two statements: a function of a name stands behind it, as
+    /// on the left side.
+    pub(super) fn unclear_space(&self) -> Option<Span> {
+        let is_application = |items: &[&Item]| match items {
+            [Item { layout: Layout::Command(name), .. }, argument] => {
+                name.strip_prefix('\\').is_some_and(|name| Function::named(name).is_some())
+                    && names::printed(argument, None).is_some_and(|found| found.sup.is_none())
+            }
+            _ => false,
+        };
+        let [first, middle @ .., _] = self.links.as_slice() else { return None };
+        let left: Vec<&Item> = first.items.iter().copied().filter(|item| is_significant(&item)).collect();
+        middle.iter().filter(|_| is_application(&left)).find_map(|link| {
+            let end = link.items.iter().rposition(|item| is_significant(&item)).map_or(0, |last| last + 1);
+            let at = link.items[..end].iter().rposition(|item| matches!(item.layout, Layout::Space(_)))?;
+            let is_after_a_factor = link.items[..at].iter().rev().find(is_significant).is_some_and(|item| !is_operator(item));
+            (is_after_a_factor && is_application(&link.items[at + 1..end])).then(|| link.items[at].span)
+        })
     }
 
     pub(super) fn ends_with_a_relation(&self) -> bool {

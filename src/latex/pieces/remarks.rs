@@ -30,7 +30,12 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
         _ => return false,
     };
     // `\text{Tr}(A)` is a function, `\mathrm{SO}(3)` a group; `\text{rank}(A)^2` is a power of the value.
-    let is_parenthesis = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::Round, _));
+    let is_parenthesis = |item: &Item| match item.layout {
+        Layout::Fence(Delimiter::Round, _) => true,
+        // `\text{Tr}[A B]`
+        Layout::Fence(Delimiter::Square, _) => !is_prose(&word),
+        _ => false,
+    };
     let is_function = match items.get(at + 1) {
         Some(Item { layout: Layout::Scripts { nucleus, .. }, .. }) => is_parenthesis(nucleus),
         next => next.is_some_and(|next| is_parenthesis(next)),

@@ -44,7 +44,9 @@ pub(super) fn separates(item: &Item) -> bool {
         Layout::Other(',' | ';' | '.') | Layout::Space(Space::Wide) => true,
         Layout::Command(name) => matches!(name.as_str(), "\\Rightarrow" | "\\Leftrightarrow" | "\\therefore"),
         Layout::Text(word) => is_separator(word),
-        Layout::Style(style, inner) if style == "\\mathrm" => latex(contents(inner)) == "where",
+        Layout::Style(style, inner) if style == "\\mathrm" => {
+            ["where", "so", "and", "hence", "thus", "therefore", "with"].contains(&latex(contents(inner)).trim())
+        }
         _ => false,
     }
 }

@@ -87,7 +87,7 @@ impl<'a> Splitter<'a, '_> {
                 self.take_relation_or_item();
             }
         }
-        self.pieces.extend(self.current);
+        self.end();
     }
 
     fn item(&self) -> &'a Item {
@@ -100,7 +100,13 @@ impl<'a> Splitter<'a, '_> {
 
     /// Ends the current statement.
     fn end(&mut self) {
-        self.pieces.extend(self.current.take());
+        let Some(mut piece) = self.current.take() else { return };
+        if let Some(space) = piece.unclear_space() {
+            let what = "this space may stand between two factors or between two statements";
+            let fault = Fault::ambiguous(space, what).help("write \\cdot for a product, or \\quad between statements");
+            piece.fault.get_or_insert(fault);
+        }
+        self.pieces.push(piece);
     }
 
     /// The current statement, if it has a relation.
@@ -151,10 +157,10 @@ impl<'a> Splitter<'a, '_> {
             return true;
         }
         // A wide space may stand before the condition: `x = 1 \quad \text{if } …`, `x = 1 \qquad (t > 0)`.
-        let is_stop = self.is_wide() || item.layout == Layout::Other(',');
-        let pauses = || items[at..].iter().take_while(|next| is_pause(next));
-        let has_wide = pauses().any(|next| next.layout == Layout::Space(Space::Wide));
-        let after = at + pauses().count();
+        let is_stop = self.is_wide() || matches!(item.layout, Layout::Other(',' | ';'));
+        let pauses = || items[at + 1..].iter().take_while(|next| is_pause(next));
+        let has_wide = self.is_wide() || pauses().any(|next| next.layout == Layout::Space(Space::Wide));
+        let after = at + 1 + pauses().count();
         let next = items.get(after);
         let goes_on = next.is_some_and(|next| begins_condition(next) || has_wide && is_comparison(next))
             && value_lists::length(&items[after.min(items.len())..]).is_none();

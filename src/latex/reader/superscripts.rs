@@ -163,6 +163,11 @@ impl Reader<'_> {
             {
                 return Err(label(sup.span));
             }
+            // `c^{s\dagger}`
+            [_, .., Item { layout: Layout::Command(name), .. }] if ["\\dagger", "\\ddagger"].contains(&name.as_str()) => {
+                return Err(mark(sup.span));
+            }
+            [_, .., Item { layout: Layout::Other('†' | '*'), .. }] => return Err(mark(sup.span)),
             _ => {}
         }
         // `\Gamma^{r_t}_{\theta_t\theta_t}`; but `p_i^{n_i}` is a power for each i.

@@ -106,6 +106,6 @@ impl Reader<'_> {
     }
 }
 
-fn is_vectorial(base: &str) -> bool {
+pub(super) fn is_vectorial(base: &str) -> bool {
     ["\\vec{", "\\mathbf{", "\\hat{"].iter().any(|mark| base.contains(mark))
 }

@@ -3,7 +3,8 @@
 //! | evidence | what stands above |
 //! | --- | --- |
 //! | a letter above a name with a place on a grid below it, `u_{i,j}^n`, `u_{i+1}^n` | the number of a step |
-//! | the same letter with and without + 1 above one name, beside a step, `\Delta t` | of all names that have the letter above |
+//! | the same letter with and without + 1 above one name, beside a step, `\Delta t`, or as a difference divided by one, `(u^{n+1} - u^n)/h` | of all names that have the letter above |
+//! | a letter with a number added above a vector or behind ∇, `\mathbf u^{n+1}`, `\nabla u^{n+1}` | the same |
 //! | the same without a step, and a name with it alone on the left side of a sum | may be the number of a step |
 //!
 //! A letter that is a factor or a term of its own, as in `x^{n+1}/(n + 1)`, is a power.
@@ -17,6 +18,7 @@ use super::super::super::names;
 use super::super::super::rows::relation;
 use super::super::items::{contents, parts};
 use super::super::state::Reader;
+use super::super::vector_names::is_vectorial;
 use super::printed;
 
 /// Letters that count steps.
@@ -38,7 +40,7 @@ pub(in super::super::super) fn note_levels(items: &[Item], inferred: &mut Inferr
             all.iter().any(|one| !one.offset.is_empty() && found.left.as_deref() == Some(&one.base)) && found.has_sum;
         for above in &all {
             let key = (above.base.clone(), counter);
-            if above.is_on_a_grid || advances && found.has_step {
+            if above.is_on_a_grid || found.of_fields.contains(&counter) || advances && found.has_step {
                 inferred.levels.insert(key);
             } else if advances && is_recursion {
                 inferred.possible_levels.insert(key);
@@ -78,6 +80,8 @@ struct Found {
     above: Vec<Above>,
     /// Counters that are factors or terms of their own.
     factors: HashSet<char>,
+    /// Counters above vectors and behind ∇, with a number added: neither has such a power.
+    of_fields: HashSet<char>,
     has_step: bool,
     /// The name that is the whole left side.
     left: Option<String>,
@@ -97,6 +101,14 @@ impl Found {
         for (at, item) in solid.iter().enumerate() {
             let is_delta = matches!(&item.layout, Layout::Command(name) if name == "\\Delta");
             self.has_step |= is_delta && solid.get(at + 1).is_some_and(|next| names::printed(next, None).is_some());
+            let is_behind_nabla =
+                at > 0 && matches!(&solid[at - 1].layout, Layout::Command(name) if name == "\\nabla");
+            if let Some((counter, offset)) = above(item)
+                && !offset.is_empty()
+                && (is_behind_nabla || base(item).is_some_and(|base| is_vectorial(&base)))
+            {
+                self.of_fields.insert(counter);
+            }
             self.one(item);
         }
     }
@@ -122,9 +134,28 @@ impl Found {
                     _ => self.one(nucleus),
                 }
             }
-            _ => parts(item).into_iter().for_each(|part| self.list(part)),
+            _ => {
+                self.has_step |= is_difference_by_a_step(item);
+                parts(item).into_iter().for_each(|part| self.list(part));
+            }
         }
     }
+}
+
+/// What is counted above a name.
+fn above(item: &Item) -> Option<(char, String)> {
+    let Layout::Scripts { sup: Some(sup), primes: 0, .. } = &item.layout else { return None };
+    counted(sup)
+}
+
+/// `\frac{u^{n+1} - u^n}{h}`: a difference of one name above a step.
+fn is_difference_by_a_step(item: &Item) -> bool {
+    const STEPS: [&str; 5] = ["h", "k", "\\tau", "dt", "\\delta t"];
+    let Layout::Fraction(numerator, step) = &item.layout else { return false };
+    let solid: Vec<&Item> = contents(numerator).iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let [first, Item { layout: Layout::Other('-'), .. }, second] = solid.as_slice() else { return false };
+    let is_difference = base(first).is_some() && base(first) == base(second) && above(first).is_some();
+    is_difference && STEPS.contains(&printed(contents(step)).replace("\\mathrm{d}", "d").as_str())
 }
 
 /// Whether nothing stands above, or no counter.

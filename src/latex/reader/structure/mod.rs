@@ -11,6 +11,7 @@
 //! | `brackets` | states, mean values, commutators, Poisson brackets, tuples, intervals, sets |
 //! | `scripts` | indices, marks and labels above a symbol |
 //! | `operators` | derivatives by anything, ∂_μ and ∇ as operators |
+//! | `extrema` | `\min_x` and its kin, before a sum |
 //! | `named_functions` | `\max(a, b)` and other functions with a name; the power of their value |
 //! | `evidence` | which letters are indices, and which functions |
 //! | `indices` | letters above letters that are indices, or may be |
@@ -23,6 +24,7 @@
 mod acting;
 mod brackets;
 mod evidence;
+mod extrema;
 mod indices;
 mod infix;
 mod levels;
@@ -36,7 +38,7 @@ pub(in super::super) use evidence::{is_function_letter, note};
 pub(in super::super) use indices::{note_indices, note_possible_indices};
 pub(in super::super) use infix::{is_prose, states};
 pub(in super::super) use levels::note_levels;
-pub(in super::super) use operators::is_extremum;
+pub(in super::super) use extrema::is_extremum;
 pub(super) use operators::is_material;
 
 use crate::formula::symbols::{Kind, Name, Operator};

@@ -55,7 +55,8 @@ impl Reader<'_> {
             Layout::Command(name) => FUNCTIONS.contains(&name.trim_start_matches('\\')),
             Layout::Text(word) => {
                 let next = items.get(*cursor + 1).map(|next| &next.layout);
-                !is_prose(word) && matches!(next, Some(Layout::Fence(Delimiter::Round | Delimiter::Square, _)))
+                !is_bare && FUNCTIONS.contains(&word.trim())
+                    || !is_prose(word) && matches!(next, Some(Layout::Fence(Delimiter::Round | Delimiter::Square, _)))
             }
             // `\mathbb{E}_\theta[f]`, `\mathbb{P}(A)`: a mean value, a probability.
             Layout::Style(style, inner) if style == "\\mathbb" => {

@@ -9,6 +9,7 @@ use super::super::super::names;
 use super::super::super::rows::relation;
 use super::super::items::{contents, differential, has_sign_second, is_any_integral, is_big_sum, joint, whole_number};
 use super::super::state::{Read, Reader};
+use super::super::vector_names::is_vectorial;
 use super::super::undeclared::is_constant_before_an_integral;
 use super::named_functions::is_named;
 use super::printed;
@@ -283,6 +284,13 @@ impl Reader<'_> {
             text.push_str(&printed(std::slice::from_ref(next)));
             *cursor += 1;
         }
+        // `\nabla\cdot k\nabla T`: a divergence of a scalar does not exist, so it is that of the product.
+        let rest: Vec<&Item> = items[*cursor..].iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+        if text.ends_with("\\cdot") && is_scalar_before_a_gradient(&rest) {
+            let product = self.term(&items[*cursor..])?;
+            *cursor = items.len();
+            return Ok(Some(self.acting(&text, Some(product), item.span)));
+        }
         let applied = self.on_the_next(items, cursor)?;
         Ok(Some(self.acting(&text, applied, item.span)))
     }
@@ -355,19 +363,6 @@ impl Reader<'_> {
         self.term(rest).map(Some)
     }
 
-    /// `\min_x` before a sum; `None` for anything else.
-    pub(in super::super) fn extremum(&mut self, items: &[Item], place: Span) -> Read<Option<Expr>> {
-        let Some(at) = items.iter().position(|item| !matches!(item.layout, Layout::Space(_))) else { return Ok(None) };
-        let rest = &items[at + 1..];
-        let has_terms = rest.iter().any(|item| matches!(item.layout, Layout::Other('+' | '-')));
-        if !is_extremum(&items[at]) || !has_terms {
-            return Ok(None);
-        }
-        let inner = self.sum(rest, place)?;
-        let template = format!("{}(#)", printed(std::slice::from_ref(&items[at])));
-        Ok(Some(self.template(&template, vec![inner], place)))
-    }
-
     /// `n!`, at the exclamation mark.
     pub(in super::super) fn factorial(&mut self, value: Expr, items: &[Item], cursor: &mut usize) -> Expr {
         let mut value = value;
@@ -407,6 +402,21 @@ fn is_derivative(item: &Item) -> bool {
     }
 }
 
+/// Whether items are one name without the markup of a vector and a gradient, and nothing else: `k\nabla T`, `M(\nabla\mu)`.
+fn is_scalar_before_a_gradient(items: &[&Item]) -> bool {
+    let is_nabla = |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\nabla");
+    let [scalar, gradient @ ..] = items else { return false };
+    let is_scalar = names::printed(scalar, None).is_some_and(|found| !is_vectorial(&found.name.base));
+    is_scalar
+        && match gradient {
+            [nabla, _] => is_nabla(nabla),
+            [Item { layout: Layout::Fence(Delimiter::Round, inside), .. }] => {
+                matches!(inside.as_slice(), [nabla, _] if is_nabla(nabla))
+            }
+            _ => false,
+        }
+}
+
 /// Whether an item is one name in parentheses, `(s)`.
 fn is_one_name(item: &Item) -> bool {
     let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
@@ -416,21 +426,6 @@ fn is_one_name(item: &Item) -> bool {
 fn is_parenthesis(item: &Item) -> bool {
     let nucleus = if let Layout::Scripts { nucleus, .. } = &item.layout { nucleus } else { item };
     matches!(nucleus.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, _))
-}
-
-/// `\min_x`, which acts on the whole sum after it.
-pub(in super::super::super) fn is_extremum(item: &Item) -> bool {
-    let Layout::Scripts { nucleus, sub: Some(_), sup: None, primes: 0 } = &item.layout else { return false };
-    const WORDS: [&str; 6] = ["argmin", "argmax", "minimize", "maximize", "minimum", "maximum"];
-    let nucleus = match contents(nucleus) {
-        [only] => only,
-        _ => nucleus,
-    };
-    match &nucleus.layout {
-        Layout::Command(name) => ["\\min", "\\max", "\\sup", "\\inf"].contains(&name.as_str()),
-        Layout::Style(_, inner) => WORDS.contains(&printed(contents(inner)).as_str()),
-        _ => false,
-    }
 }
 
 /// Whether an item is a script without a base, `{}_{\\nu}`.

@@ -153,6 +153,18 @@ impl Reader<'_> {
         // `d^\dagger` is an operator.
         let is_bare = printed.sup.is_none_or(|sup| !matches!(contents(sup), [Item { layout: Layout::Command(_), .. }]));
         let is_d = matches!(name.base.as_str(), "d" | "\\mathrm{d}") && !self.symbols.inferred.has_factor_d;
+        // `\mathrm{d}\langle E\rangle`
+        if let Some(Item { layout: Layout::Fence(Delimiter::Angle, _), .. }) = items.get(*cursor)
+            && is_d
+            && name.subscript.is_empty()
+            && printed.sup.is_none()
+            && self.is_abstract()
+        {
+            let mean = self.item(&items[*cursor])?;
+            *cursor += 1;
+            let whole = span.to(mean.span);
+            return Ok(self.template("d#", vec![mean], whole));
+        }
         if is_d && name.subscript.is_empty() && next.is_some() && is_bare {
             return Err(Fault::ambiguous(span, "d x may be a differential or the product of d and x")
                 .help("write \\frac{d}{dt} for a derivative, or use another letter for the factor"));
@@ -222,6 +234,17 @@ impl Reader<'_> {
                 || name.base.contains("\\vec{")
                 || name.base.contains("\\mathbf{"));
         let has_markup = ["\\vec", "\\mathbf", "\\hat", "\\underline"].iter().any(|mark| name.base.contains(mark));
+        // `\hat A(\theta + \epsilon)`: neither a name nor an operator alone stands in the parenthesis.
+        if let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = items.get(*cursor)
+            && has_hat
+            && printed.sup.is_none()
+            && self.is_abstract()
+            && !is_vector
+            && is_argument_of_an_operator(inside)
+        {
+            return Err(Fault::ambiguous(span.to(*fence), format!("{name}(…) may be a function or a product"))
+                .help("for a product, put a thin space \\, before the parenthesis"));
+        }
         if !is_vector && has_markup && self.is_abstract() {
             let symbol = self.valueless(name.clone(), printed.dots, span)?;
             return match printed.sup {
@@ -317,6 +340,19 @@ impl Reader<'_> {
             None => Ok(applied),
         }
     }
+}
+
+/// Whether a sum of names without marks of operators is all that stands in a parenthesis: `(\theta + \epsilon)`, `(t - t_0)`.
+fn is_argument_of_an_operator(inside: &[Item]) -> bool {
+    let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
+    let has_mark = |item: &Item| {
+        names::printed(item, None).is_some_and(|found| {
+            let base = &found.name.base;
+            ["\\hat{", "\\mathbf{", "\\vec{", "\\mathcal{"].iter().any(|mark| base.contains(mark)) || base.starts_with(char::is_uppercase)
+        })
+    };
+    let begins_with_a_name = inside.first().is_some_and(|first| names::printed(first, None).is_some());
+    begins_with_a_name && inside.iter().skip(1).any(is_sign) && !inside.iter().any(has_mark)
 }
 
 /// The `dots`-th time derivative.
