@@ -67,6 +67,8 @@ mod strangers;
 mod typst;
 #[path = "cli/unaided.rs"]
 mod unaided;
+#[path = "cli/unaided_cases.rs"]
+mod unaided_cases;
 #[path = "cli/unaided_chains.rs"]
 mod unaided_chains;
 #[path = "cli/unaided_contradictions.rs"]

@@ -63,7 +63,7 @@ fn binding(node: &Node, symbols: &Symbols) -> u8 {
         Node::Sum(_) => 1,
         Node::Product(_) | Node::Quotient(..) | Node::Cross(..) | Node::Dot(..) => 2,
         Node::SumOver { .. } | Node::Integral(..) | Node::Shrinking(..) | Node::Definite(_) => 2,
-        Node::Power(..) | Node::Transpose(_) | Node::Inverse(_) => 3,
+        Node::Power(..) | Node::Transpose(_) | Node::Inverse(_) | Node::TimeDerivative(..) => 3,
         _ => 4,
     }
 }

@@ -202,7 +202,7 @@ fn spelling(name: &str) -> &str {
         "overline" => "bar",
         "widetilde" => "tilde",
         "triangle" => "Delta",
-        "bm" | "boldsymbol" | "pmb" | "symbf" | "mathbfit" => "mathbf",
+        "bm" | "bold" | "boldsymbol" | "pmb" | "symbf" | "mathbfit" => "mathbf",
         "operatorname" | "mathrm" | "mathit" | "mathsf" | "mathnormal" => "mathrm",
         "bcancel" | "xcancel" => "cancel",
         "textrm" | "textit" | "textsf" | "textsl" | "mbox" | "hbox" | "textnormal" | "textup" => "text",

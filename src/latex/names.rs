@@ -4,6 +4,7 @@
 //! `\dot{\hat{e}_a}` is `\dot{\hat e}_a`, `x^\prime` is `x'`. Overdots (`overdots`) and powers are not part of a name.
 
 use crate::formula::symbols::Name;
+use crate::formula::text::plain as plain_text;
 use crate::formula::tree::Sign;
 
 #[cfg(feature = "notes")]
@@ -51,6 +52,15 @@ pub fn printed(item: &Item, branch: Option<Sign>) -> Option<Printed<'_>> {
                     items.iter().rposition(|item| !matches!(item.layout, Layout::Other('.'))).map_or(0, |at| at + 1);
                 let word: Option<String> = items[..end].iter().map(word_letter).collect();
                 Some(plain(format!("\\mathrm{{{}}}", word?)))
+            }
+            // `\mathcal{GP}` is one name.
+            Layout::Group(items)
+                if items.len() > 1
+                    && style == "\\mathcal"
+                    && items.iter().all(|item| matches!(item.layout, Layout::Letter(_))) =>
+            {
+                let word: Option<String> = items.iter().map(word_letter).collect();
+                Some(plain(format!("\\mathcal{{{}}}", word?)))
             }
             _ => {
                 let mut inner = printed(inner, branch).filter(|inner| inner.sup.is_none())?;
@@ -193,6 +203,22 @@ fn prime_marks(sup: &Item) -> Option<u8> {
     }
 }
 
+/// Signs of spins, of sublattices and of places that stand as indices.
+const ARROWS: [&str; 12] = [
+    "\\uparrow",
+    "\\downarrow",
+    "\\nearrow",
+    "\\searrow",
+    "\\ominus",
+    "\\square",
+    "\\blacksquare",
+    "\\triangle",
+    "\\diamond",
+    "\\bigstar",
+    "\\hbar",
+    "\\flat",
+];
+
 /// Appends the tokens of a subscript; `None` if it is not the subscript of a name.
 fn subscript(item: &Item, branch: Option<Sign>, tokens: &mut Vec<String>) -> Option<()> {
     match &item.layout {
@@ -203,6 +229,8 @@ fn subscript(item: &Item, branch: Option<Sign>, tokens: &mut Vec<String>) -> Opt
             ("\\mp", Some(sign)) => tokens.push(glyph(sign.flipped()).to_owned()),
             ("\\pm" | "\\mp", None) => return None,
             ("\\prime", _) => tokens.push("'".to_owned()),
+            // An unknown command is no index: `E_\boldit{p}`.
+            _ if plain_text(name).starts_with('\\') && !ARROWS.contains(&name.as_str()) => return None,
             _ => tokens.push(name.clone()),
         },
         Layout::Space(_) => {}

@@ -193,8 +193,15 @@ pub(super) fn begin(text: &str, at: usize) -> Option<(&str, usize)> {
 /// The closing `$` of inline mathematics that opens at `at`, when it closes before the paragraph ends.
 ///
 /// `strict` requires, as Markdown does, that no space follows the first sign or precedes the second; a price is no
-/// formula.
+/// formula. What has spaces at both ends, `$ k = GMm $`, is one if it is on one line and has a sign of mathematics.
 pub(super) fn inline(bytes: &[u8], at: usize, strict: bool) -> Option<usize> {
+    if strict && bytes.get(at + 1) == Some(&b' ') {
+        let line = bytes[at + 1..].iter().position(|byte| *byte == b'\n').map_or(bytes.len(), |end| at + 1 + end);
+        let close = at + 1 + bytes[at + 1..line].iter().position(|byte| *byte == b'$')?;
+        let inside = &bytes[at + 1..close];
+        let is_formula = inside.ends_with(b" ") && inside.iter().any(|byte| b"=\\^_".contains(byte));
+        return is_formula.then_some(close);
+    }
     if strict && bytes.get(at + 1).is_none_or(u8::is_ascii_whitespace) {
         return None;
     }

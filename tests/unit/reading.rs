@@ -25,6 +25,8 @@ mod operators;
 mod particles;
 #[path = "reading/printed_forms.rs"]
 mod printed_forms;
+#[path = "reading/public_notes.rs"]
+mod public_notes;
 #[path = "reading/quantities.rs"]
 mod quantities;
 #[path = "reading/roles.rs"]

@@ -55,6 +55,9 @@ fn with_definitions_of(notes: &Notes, displays: Vec<Display>, used: &[Name], mac
         let is_used = |name: &String| used.iter().any(|other| other.to_string() == *name);
         let defines = |name: &String| {
             let usage = usages.iter().find(|usage| usage.name.to_string() == *name);
+            if usage.is_some_and(|usage| usage.moves) && !moves_on_the_right(&display, &usages, macros) {
+                return false;
+            }
             (is_told || is_sum()) && usage.map_or_else(|| is_used(name), is_free)
         };
         if let Some(name) = name.filter(defines) {
@@ -65,6 +68,15 @@ fn with_definitions_of(notes: &Notes, displays: Vec<Display>, used: &[Name], mac
         }
     }
     found
+}
+
+/// Whether the formula of a definition contains the time or a name that moves in the displays. Without one the name would be at
+/// rest.
+fn moves_on_the_right(display: &Display, usages: &[Usage], macros: &Macros) -> bool {
+    let Some((_, right)) = display.text.split_once('=') else { return false };
+    let names = names_of(&[Display { text: right.to_owned(), ..display.clone() }], macros);
+    let is_known = |name: &Usage| usages.iter().any(|usage| usage.name == name.name && usage.moves);
+    names.iter().any(|name| name.moves || is_known(name) || name.name == Name::plain("t"))
 }
 
 /// Whether a formula relates several names that displays before it have, or that no display gives a formula. Two are enough where the

@@ -60,9 +60,11 @@ impl Laws {
 
 /// The laws of notes with these findings: for each symbol with a printed solution the first equation that gives its highest
 /// derivative, if it is before the solution, is not wrong, and nothing else moves in it.
-pub(super) fn laws(checker: &Checker<'_>, equations: &[Equation]) -> Laws {
+pub(super) fn laws(checker: &Checker<'_>, carried: usize, equations: &[Equation]) -> Laws {
     let mut found: Vec<(SymbolId, (usize, usize), String)> = Vec::new();
-    for (at, reading) in checker.readings.iter().enumerate() {
+    // What comes after the findings is in another scope.
+    let end = carried + equations.len();
+    for (at, reading) in checker.readings.iter().enumerate().take(end) {
         let Some(id) = checker.notes.equations[at].id() else { continue };
         let is_right = |equation: &Equation| equation.id == id && equation.finding.verdict != Verdict::Refuted;
         if checker.model.system.is_some() || !equations.iter().any(is_right) {
@@ -72,7 +74,9 @@ pub(super) fn laws(checker: &Checker<'_>, equations: &[Equation]) -> Laws {
             let Ok(statement) = statement else { continue };
             let Some(moving) = moved_by(checker, statement) else { continue };
             let is_new = !found.iter().any(|(known, ..)| *known == moving);
-            if let Some(solution) = is_new.then(|| solved_after(checker, moving, (at, place))).flatten() {
+            if let Some(solution) =
+                is_new.then(|| solved_after(checker, moving, (at, place))).flatten().filter(|solution| *solution < end)
+            {
                 let address = match reading.statements.len() {
                     1 => id.to_owned(),
                     _ => format!("{id} part {}", place + 1),

@@ -55,9 +55,9 @@ use crate::mechanics::System;
 use crate::notes::{Claims, Display, Notes, Numbered};
 use crate::source::Span;
 
+use guess::corrections::Corrections;
 #[cfg(feature = "cli")]
 pub use guess::draft::draft;
-#[cfg(feature = "cli")]
 use guess::{inference, scopes};
 
 /// Checks notes without a claims file.
@@ -66,14 +66,13 @@ use guess::{inference, scopes};
 /// When no claims file makes sense of the notes.
 #[cfg(feature = "cli")]
 pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
-    let (mut equations, inferred) = by_scopes(run, notes)?;
-    consequences::excused(notes, &mut equations, &|edited| Ok(by_scopes(run, edited)?.0))?;
+    let (mut equations, inferred) = by_scopes(run, notes, None)?;
+    consequences::excused(notes, &mut equations, &|edited| Ok(by_scopes(run, edited, None)?.0))?;
     Ok(Document { claims: None, ..document(run, &with_ids(notes), (equations, Vec::new(), inferred)) })
 }
 
-/// The findings on the displays of notes, and the conclusions about symbols.
-#[cfg(feature = "cli")]
-fn by_scopes(run: &Run<'_>, notes: &Notes) -> Result<(Vec<Equation>, Vec<String>)> {
+/// The findings on the displays of notes, and the conclusions about symbols, where the author made some corrections of these.
+fn by_scopes(run: &Run<'_>, notes: &Notes, corrections: Option<&Corrections>) -> Result<(Vec<Equation>, Vec<String>)> {
     let notes = with_ids(notes);
     let outline = scopes::Outline::of(&notes);
     let (mut equations, mut inferred) = (Vec::new(), Vec::new());
@@ -81,6 +80,7 @@ fn by_scopes(run: &Run<'_>, notes: &Notes) -> Result<(Vec<Equation>, Vec<String>
     while equations.len() < notes.equations.len() {
         let (part, scope) = scopes::from(run, &notes, equations.len(), &outline);
         let claims = inference::claims(run, &part)?;
+        let claims = corrections.map_or(Ok(claims.clone()), |corrections| corrections.applied(claims))?;
         let (found, concluded) = judged(run, &claims, &part, &scope)?;
         equations.extend(found);
         let new: Vec<String> = concluded.into_iter().filter(|known| !inferred.contains(known)).collect();
@@ -145,7 +145,7 @@ fn judged(run: &Run<'_>, claims: &Claims, notes: &Notes, scope: &scope::Scope) -
     let (judged, laws, inferred) = with_checker(run, claims, notes, |checker| {
         let mut judged = course::judged(run, &checker, scope)?;
         dimensions::blame(&checker, scope.carried, &mut judged.found);
-        let laws = laws::laws(&checker, &judged.found);
+        let laws = laws::laws(&checker, scope.carried, &judged.found);
         Ok((judged, laws, checker.model.inferred.clone()))
     })?;
     let lawful = laws.added_to(claims)?;
@@ -216,7 +216,11 @@ fn weighed(run: &Run<'_>, claims: &Claims, printed: &Notes) -> Result<Document> 
         Ok(check_in(&only, claims, notes)?.equations.into_iter().next())
     };
     let sentences = if claims.sentences.is_empty() { Vec::new() } else { check_in(run, claims, notes)?.sentences };
-    let whole = |notes: &Notes| Ok(judged(run, claims, &with_ids(notes), &scope::Scope::whole())?.0);
+    let corrections = Corrections::of(run, claims, notes)?;
+    let whole = |notes: &Notes| match &corrections {
+        Some(corrections) => Ok(by_scopes(run, notes, Some(corrections))?.0),
+        None => Ok(judged(run, claims, &with_ids(notes), &scope::Scope::whole())?.0),
+    };
     let mut equations = whole(printed)?;
     consequences::excused(printed, &mut equations, &whole)?;
     with_checker(run, claims, notes, |checker| {

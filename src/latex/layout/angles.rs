@@ -63,7 +63,7 @@ pub(super) fn is_lone_bar(tokens: &[Token]) -> bool {
             TokenKind::Open | TokenKind::Other('(' | '[') => depth += 1,
             TokenKind::Close | TokenKind::Other(')' | ']') => match depth.checked_sub(1) {
                 Some(less) => depth = less,
-                None => return token.kind == TokenKind::Other(')'),
+                None => return matches!(token.kind, TokenKind::Other(')') | TokenKind::Close),
             },
             TokenKind::Other('|') if depth == 0 => return false,
             // `(\hat a|0\rangle = 0)`

@@ -57,7 +57,10 @@ impl Parser<'_> {
                 Item { layout: Layout::Fence(Delimiter::Evaluation, items), span: whole }
             }
             // A brace before equations, which stand in it without rows: `\left\{ \dot x = y, \quad \dot y = -x \right.`
-            (Some(Delimiter::Curly), None) if close.kind == TokenKind::Other('.') && items.iter().any(|item| *item == Item { layout: Layout::Other('='), span: item.span }) => {
+            (Some(Delimiter::Curly), None)
+                if close.kind == TokenKind::Other('.')
+                    && items.iter().any(|item| *item == Item { layout: Layout::Other('='), span: item.span }) =>
+            {
                 Item { layout: Layout::Group(items), span: whole }
             }
             _ => of_fault(Fault::unsupported(whole, "this pair of delimiters of \\left and \\right is not supported")),

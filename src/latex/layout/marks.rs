@@ -1,5 +1,5 @@
 //! Marks that authors set in several ways: the d and ∂ of a derivative in bold or as a word, `\mathbf{\partial B}`, `\text{d}`; bold signs of products;
-//! two bars of a bra and a ket; the bar of a place; the bars of a norm, `||x||`; the sign at the end of a proof.
+//! `\_` for a subscript; two bars of a bra and a ket; the bar of a place; the bars of a norm, `||x||`; the sign at the end of a proof.
 
 use super::super::lexer::{Token, TokenKind};
 
@@ -10,10 +10,23 @@ pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
     // The `||` at which a norm ends.
     let mut end_of_norm = None;
     let mut bars = 0_usize;
+    // For each open brace, whether it is that of a text.
+    let mut braces: Vec<bool> = Vec::new();
     let mut at = 0;
     while at < tokens.len() {
         let token = &tokens[at];
         let span = token.span;
+        match token.kind {
+            TokenKind::Open => braces.push(is_text(at.checked_sub(1).and_then(|before| tokens.get(before)))),
+            TokenKind::Close => drop(braces.pop()),
+            _ => {}
+        }
+        // `\_`, as Markdown needs it in formulas.
+        if is(Some(token), "\\_") && !braces.contains(&true) {
+            found.push(Token { kind: TokenKind::Sub, span });
+            at += 1;
+            continue;
+        }
         if let Some(length) = differential_in_bold(&tokens[at..]) {
             // The style belongs to what is differentiated: `\partial\mathbf{B}`.
             found.extend([tokens[at + 2].clone(), token.clone(), tokens[at + 1].clone()]);
@@ -143,6 +156,11 @@ fn upright_mark(before: &[Token], tokens: &[Token]) -> Option<Vec<TokenKind>> {
     let command = TokenKind::Command("\\mathrm".to_owned());
     (mark.kind == TokenKind::Letter('d') && is_alone && is(Some(style), "\\text"))
         .then(|| vec![command, TokenKind::Open, mark.kind.clone(), TokenKind::Close])
+}
+
+/// Whether the brace after a token is that of a text.
+fn is_text(before: Option<&Token>) -> bool {
+    ["\\text", "\\mathrm", "\\mathtt"].iter().any(|name| is(before, name))
 }
 
 fn is_end_of_proof(token: &Token) -> bool {

@@ -104,9 +104,15 @@ impl<'a> Parser<'a> {
                 continue;
             }
             let item = self.scripted(false);
-            // `{}` sets nothing.
-            if item.layout != Layout::Group(Vec::new()) {
-                items.push(item);
+            // `{}` sets nothing, and neither do braces around a parenthesis, `\theta{\left(t \right)}`.
+            match item.layout {
+                Layout::Group(inside) if inside.is_empty() => {}
+                Layout::Group(mut inside)
+                    if matches!(inside.as_slice(), [Item { layout: Layout::Fence(Delimiter::Round, _), .. }]) =>
+                {
+                    items.append(&mut inside);
+                }
+                layout => items.push(Item { layout, span: item.span }),
             }
         }
         self.depth -= 1;

@@ -10,6 +10,7 @@ mod conditions;
 mod continuation;
 mod piece;
 mod ranges;
+mod regions;
 mod remarks;
 mod separators;
 mod split;
@@ -36,6 +37,7 @@ pub(super) fn pieces(items: &[Item], is_abstract: bool) -> Vec<Piece<'_>> {
         split(row, at + 1, &mut pieces, is_abstract);
     }
     drop_captions(&mut pieces);
+    regions::attach(&mut pieces);
     match is_abstract {
         true => join_lists(&mut pieces),
         false => reject_lone_values(&mut pieces),
@@ -84,7 +86,7 @@ fn join_lists(pieces: &mut Vec<Piece<'_>>) {
 /// Leaves out words with a colon that announce a statement: `\text{equal masses } (M = m): \quad \Omega = …`.
 fn drop_captions(pieces: &mut Vec<Piece<'_>>) {
     let is_caption = |piece: &Piece<'_>| {
-        let [Link { relation: None, items }] = piece.links.as_slice() else { return false };
+        let [Link { relation: None, items, .. }] = piece.links.as_slice() else { return false };
         let mut significant = items.iter().filter(is_significant);
         let is_text = matches!(significant.next().map(|item| &item.layout), Some(Layout::Text(_)));
         is_text && significant.next_back().is_some_and(|item| item.layout == Layout::Other(':'))

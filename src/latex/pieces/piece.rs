@@ -31,6 +31,8 @@ pub(in super::super) type Printed = Option<(Relation, Span)>;
 
 pub(in super::super) struct Link<'a> {
     pub(in super::super) relation: Printed,
+    /// What prints the relation.
+    pub(super) sign: Option<&'a Item>,
     pub(in super::super) items: Vec<&'a Item>,
 }
 
@@ -55,7 +57,7 @@ impl Piece<'_> {
 
     /// Whether `\min_x` or the like is all there is, so that what follows belongs to it: `\min_x \quad f(x)`.
     pub(super) fn is_an_extremum(&self) -> bool {
-        let [Link { relation: None, items }] = self.links.as_slice() else { return false };
+        let [Link { relation: None, items, .. }] = self.links.as_slice() else { return false };
         let mut solid = items.iter().filter(is_significant);
         solid.next().is_some_and(|first| is_extremum(first)) && solid.next().is_none()
     }
@@ -75,7 +77,8 @@ impl Piece<'_> {
         middle.iter().filter(|_| is_application(&left)).find_map(|link| {
             let end = link.items.iter().rposition(|item| is_significant(&item)).map_or(0, |last| last + 1);
             let at = link.items[..end].iter().rposition(|item| matches!(item.layout, Layout::Space(_)))?;
-            let is_after_a_factor = link.items[..at].iter().rev().find(is_significant).is_some_and(|item| !is_operator(item));
+            let is_after_a_factor =
+                link.items[..at].iter().rev().find(is_significant).is_some_and(|item| !is_operator(item));
             (is_after_a_factor && is_application(&link.items[at + 1..end])).then(|| link.items[at].span)
         })
     }

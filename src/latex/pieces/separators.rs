@@ -68,7 +68,7 @@ pub(super) fn spelled_constant(items: &[&Item], at: usize) -> Option<(Span, usiz
     let word: String = items[at..].iter().map_while(letter).collect();
     let last = items.get(at + word.len().checked_sub(1)?)?;
     let ends = items.get(at + word.len()).is_none_or(|next| separates(next) || matches!(next.layout, Layout::Space(_)));
-    (ends && ["constant", "const", "Constant"].contains(&word.as_str()))
+    (ends && ["constant", "const", "Constant", "Const", "cte", "cste", "cst", "konst"].contains(&word.as_str()))
         .then(|| (items[at].span.to(last.span), word.len()))
 }
 

@@ -207,7 +207,7 @@ impl<'a> Splitter<'a, '_> {
         // What stands in parentheses after all, or says where a result is from, is no statement.
         if !is_aside(items, at) {
             let mut remark = Piece::new(self.number);
-            remark.links.push(Link { relation: None, items: vec![item] });
+            remark.links.push(Link { relation: None, sign: None, items: vec![item] });
             self.pieces.push(remark);
         }
         (self.comma, self.starts_row) = (None, false);
@@ -250,7 +250,10 @@ impl<'a> Splitter<'a, '_> {
             .is_some_and(|item| is_operator(item));
         let spelled = spelled_constant(self.items, self.at)
             .filter(|_| self.current.as_ref().is_some_and(Piece::ends_with_a_relation));
-        let said = says_constant(self.item()).or(spelled.map(|(span, _)| span)).filter(|_| !is_term);
+        // `\text{const} + x` too is a sum.
+        let after = self.at + spelled.map_or(1, |(_, length)| length);
+        let goes_on = self.items[after..].iter().find(is_significant).is_some_and(|item| is_operator(item));
+        let said = says_constant(self.item()).or(spelled.map(|(span, _)| span)).filter(|_| !is_term && !goes_on);
         let Some(span) = said else { return false };
         if let Some(piece) = &mut self.current {
             piece.constant = Some(span);
@@ -287,7 +290,7 @@ impl<'a> Splitter<'a, '_> {
         let (number, starts_row) = (self.number, self.starts_row);
         let piece = self.current.get_or_insert_with(|| Piece::new(number));
         if piece.links.is_empty() {
-            piece.links.push(Link { relation: None, items: Vec::new() });
+            piece.links.push(Link { relation: None, sign: None, items: Vec::new() });
         }
         // `a = \\ = b` repeats the sign at the beginning of the row.
         let is_again = starts_row
@@ -296,7 +299,7 @@ impl<'a> Splitter<'a, '_> {
                     && !last.items.iter().any(|item| is_significant(&item))
             });
         if !is_again {
-            piece.links.push(Link { relation: Some((found, item.span)), items: Vec::new() });
+            piece.links.push(Link { relation: Some((found, item.span)), sign: Some(item), items: Vec::new() });
         }
         self.starts_row = false;
     }
@@ -307,7 +310,7 @@ impl<'a> Splitter<'a, '_> {
         let piece =
             self.current.get_or_insert_with(|| Piece { comma: comma.take(), is_inserted, ..Piece::new(number) });
         if piece.links.is_empty() {
-            piece.links.push(Link { relation: None, items: Vec::new() });
+            piece.links.push(Link { relation: None, sign: None, items: Vec::new() });
         }
         if let Some(link) = piece.links.last_mut() {
             link.items.push(item);
@@ -325,7 +328,7 @@ impl<'a> Splitter<'a, '_> {
 /// Alternatives as one part. Where the first of them is in the row before, that row is none of its own either.
 fn one_of_several<'a>(items: &[&'a Item], row: usize, is_abstract: bool, before: Option<&mut Piece<'a>>) -> Piece<'a> {
     let mut piece = Piece { has_alternatives: true, ..Piece::new(row) };
-    piece.links.push(Link { relation: None, items: items.to_vec() });
+    piece.links.push(Link { relation: None, sign: None, items: items.to_vec() });
     let is_open = are_open(items);
     if is_open || !is_abstract {
         let what = "one of these alternatives holds, and the others may not; alternatives are not supported";

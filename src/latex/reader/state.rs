@@ -19,12 +19,14 @@ pub(in super::super) struct Reader<'a> {
     pub(super) summed: Vec<IndexId>,
     /// The undeclared letters that the sums being read bind.
     pub(super) bound: Vec<String>,
+    /// How many factors that are being read stand in one another: `\sin\sin\sin x` has four.
+    pub(super) depth: usize,
 }
 
 impl<'a> Reader<'a> {
     /// A reader of formulas; `branch` is the sign that `\pm` stands for.
     pub fn new(symbols: &'a mut Symbols, branch: Option<Sign>) -> Self {
-        Reader { symbols, branch, summed: Vec::new(), bound: Vec::new() }
+        Reader { symbols, branch, summed: Vec::new(), bound: Vec::new(), depth: 0 }
     }
 }
 

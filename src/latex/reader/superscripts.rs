@@ -163,9 +163,13 @@ impl Reader<'_> {
             {
                 return Err(label(sup.span));
             }
-            // `c^{s\dagger}`
-            [_, .., Item { layout: Layout::Command(name), .. }] if ["\\dagger", "\\ddagger"].contains(&name.as_str()) => {
-                return Err(mark(sup.span));
+            // `c^{s\dagger}`, `H^{\dagger(i)}`
+            [_, _, ..] if marks.iter().any(|item| is_dagger(item)) => return Err(mark(sup.span)),
+            // `U^{\mathrm{dis}(k)}`
+            [Item { layout: Layout::Style(style, inner), .. }, _, ..]
+                if style == "\\mathrm" && contents(inner).len() > 1 && !self.is_declared(marks[0]) =>
+            {
+                return Err(label(sup.span));
             }
             [_, .., Item { layout: Layout::Other('†' | '*'), .. }] => return Err(mark(sup.span)),
             _ => {}
@@ -196,6 +200,10 @@ impl Reader<'_> {
         if self.symbols.open && is_symbol && are_indexed && (is_row || is_frame) {
             return Err(Fault::ambiguous(span, "what stands above may be indices, a label or a power")
                 .help("write indices as a subscript; write a power as a product in parentheses, x^{(a \\cdot b)}"));
+        }
+        if self.symbols.open && whole_number(sup) == Some(5) && self.name_of(base).0 == "\\gamma" {
+            return Err(Fault::ambiguous(span, "γ⁵ may be a matrix or a power")
+                .help("write \\gamma_5 for the matrix, and (\\gamma)^5 for the power"));
         }
         if self.is_element_of_an_inverse(base, sup) {
             return Err(Fault::ambiguous(
@@ -267,7 +275,12 @@ fn is_unlikely_index(
     let is_number = matches!(base.node, Node::Number(_));
     let has_index = matches!(subscript, [.., last] if last.starts_with(|c: char| c.is_lowercase() || c == '\\'));
     let is_usual = |letter: &String| ["i", "j", "\\mu", "\\nu"].contains(&letter.as_str());
-    let is_power = |letter: &String| ["n", "m", "k", "p", "q", "r", "s", "\\gamma"].contains(&letter.as_str());
+    // Of a capital, r and s are labels as often: those of quarks.
+    let is_capital = name.len() == 1 && name.starts_with(char::is_uppercase);
+    let is_power = |letter: &String| {
+        ["n", "m", "k", "p", "q", "\\gamma"].contains(&letter.as_str())
+            || !is_capital && ["r", "s"].contains(&letter.as_str())
+    };
     // The partition function of N particles.
     let is_of_particles = || match &base.node {
         Node::Symbol { .. } => letters.concat() == "N" && ["Z", "V", "z"].contains(&name),
@@ -289,6 +302,10 @@ fn is_unlikely_index(
         )),
         false => Ok(()),
     }
+}
+
+fn is_dagger(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Command(name) if ["\\dagger", "\\ddagger"].contains(&name.as_str()))
 }
 
 /// Whether a delimiter is that of an absolute value.

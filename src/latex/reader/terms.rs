@@ -1,5 +1,6 @@
 //! Sums, the terms of a sum, and single factors.
 
+use crate::code::Code;
 use crate::formula::tree::{Expr, Node, Sign, Term};
 use crate::source::{Fault, Span};
 
@@ -102,6 +103,7 @@ impl Reader<'_> {
         if let Some(integral) = self.integral_length(items).or_else(|| self.definite_length(items)) {
             return Ok(integral.max(integral + self.term_length(items.get(integral..).unwrap_or_default())?));
         }
+        self.is_no_open_integrand(items)?;
         let mut after_operator = false;
         for (at, item) in items.iter().enumerate() {
             if self.sign(item)?.is_some() {
@@ -120,6 +122,20 @@ impl Reader<'_> {
 
     /// One factor. The flag is false for a function whose argument has no parentheses.
     pub(super) fn factor(&mut self, items: &[Item], cursor: &mut usize) -> Read<(Expr, bool)> {
+        const DEEPEST: usize = 256;
+        if self.depth >= DEEPEST {
+            let message = format!("functions are nested more than {DEEPEST} levels deep");
+            return Err(Fault::new(items[*cursor].span, message)
+                .code(Code::TooLarge)
+                .help("split the formula into several equations"));
+        }
+        self.depth += 1;
+        let found = self.factor_inside(items, cursor);
+        self.depth -= 1;
+        found
+    }
+
+    fn factor_inside(&mut self, items: &[Item], cursor: &mut usize) -> Read<(Expr, bool)> {
         let item = &items[*cursor];
         if let Some(found) = self.raised_operator(items, cursor)? {
             return Ok((found, true));

@@ -151,7 +151,10 @@ impl Reader<'_> {
         }
         let touches = !matches!(items[at - 1].layout, Layout::Space(_));
         // A solid angle, `(a + b)4\pi r^2`, is a factor.
-        let is_factor = is_parenthesis(before) && items.get(at + 1).is_some_and(is_numeric);
+        // So is `m 4\pi r^2` with a space.
+        let is_pi = |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\pi");
+        let is_apart = item.span.start > before.span.end && items.get(at + 1).is_some_and(is_pi);
+        let is_factor = is_apart || is_parenthesis(before) && items.get(at + 1).is_some_and(is_numeric);
         let is_name = || names::printed(before, self.branch).is_some();
         if touches && is_number(item) && !is_factor && (is_name() || is_parenthesis(before)) {
             return Err(Fault::ambiguous(span, "a number after a symbol may be a subscript, a power or a factor")

@@ -45,7 +45,7 @@ fn operators_have_arguments() {
         ("y = \\mathbb{E}[x]", "y = E[x]"),
         ("y = \\mathbb{E}_{\\theta}[\\langle f, g\\rangle]", "y = E_{θ}[⟨f, g⟩]"),
         ("\\langle \\psi | A(t) | \\psi \\rangle = 1", "⟨ψ|A(t)|ψ⟩ = 1"),
-        ("\\mathcal{L}(f(t))(s) = F(s)", "(L(f(t)))(s) = F(s)"),
+        ("\\mathcal{L}(f(t))(s) = F(s)", "(ℒ(f(t)))(s) = F(s)"),
         ("Q^+(\\cdot) = \\sum_i w_i k(z_i, \\cdot)", "Q^{+}(·) = Σ_{i}(w_i·k(z_i, ·))"),
         ("S[q^i] = \\int L(q^i, \\dot q^i, t)\\, dt", "S(q^{i}) = ∫(L(q^{i}, q̇^{i}, t)·dt)"),
         ("\\alpha, \\beta \\in \\{x, y, z\\}", "(α, β) ∈ {x, y, z}"),

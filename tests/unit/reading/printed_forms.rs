@@ -88,7 +88,7 @@ fn what_a_parenthesis_after_a_name_or_a_parenthesis_is() {
         (r"(\nabla_v g)(V, W) = 0", "(∇_{v}(g))(V, W) = 0"),
         (r"\phi(x,t) = a f_0(x - ct) + b g_0(x + ct)", "φ(x, t) = a·f_0(x − c·t) + b·g_0(x + c·t)"),
         (r"\mathbf{R}^T(\theta) \mathbf{R}(\theta) = a", "(Rᵀ)(θ)·R(θ) = a"),
-        (r"f = \mathcal{L}^{-1}\{(sI - A)^{-1}\}", "f = L^{-1}{(s·I − A)^(−1)}"),
+        (r"f = \mathcal{L}^{-1}\{(sI - A)^{-1}\}", "f = ℒ^{-1}{(s·I − A)^(−1)}"),
         ("e^{-a[(mx^2) + it]} = b", "e^(−a·(m·x^2 + i·t)) = b"),
         (r"s(u) = s(u - u_0)", "s(u) = s(u − u_0)"),
     ]);

@@ -192,7 +192,7 @@ fn brackets_bars_and_sets_stay_as_they_are() {
         ("v = -k_1[E][S]", "v = −k_1·[E]·[S]"),
         ("x \\in SO(3)", "x ∈ SO(3)"),
         ("\\omega = dq \\wedge dp", "ω = dq ∧ dp"),
-        ("\\mathcal{F}\\{f\\} = g", "F{f} = g"),
+        ("\\mathcal{F}\\{f\\} = g", "ℱ{f} = g"),
         ("n = 0,1,2,\\dots", "n = 0, 1, 2, …"),
     ]);
     // a bar that closes another, a decimal comma, the adjoint

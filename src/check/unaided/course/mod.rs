@@ -4,6 +4,7 @@
 //! slip is sought, first without premises and then with those that it could follow from. What is no slip is taken for
 //! granted, and is a premise of what comes later. What is wrong is no premise.
 
+mod cases;
 mod examples;
 mod extrema;
 mod factor;
@@ -97,6 +98,10 @@ pub(super) fn judged_again(
             Some(equation) => course.judged_before(at, equation),
             None => course.judge(at)?,
         };
+        // Another formula for a function begins another case, in which its name has this one.
+        if at > scope.carried && equation.finding.verdict == Verdict::Assumed && course.begins_another_case(at) {
+            break;
+        }
         let section = scope.section_of(at);
         if equation.finding.verdict == Verdict::Assumed && course.is_given_again(at, section) && section > scope.carried
         {

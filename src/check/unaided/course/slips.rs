@@ -1,6 +1,7 @@
 //! The slip that separates a display from what follows.
 
 use crate::Result;
+use crate::check::certificate::solved::is_of_one_solution;
 use crate::check::document::checker::Checker;
 use crate::check::repair::suggest::Search;
 use crate::check::unaided::course::{Course, named};
@@ -98,6 +99,10 @@ impl Course<'_, '_> {
         if checker.readings[at].introduced.iter().any(is_frequency) {
             repairs.retain(|repair| !only_negates(repair, checker));
         }
+        // Relations that are taken for granted may have another solution, with which the display holds as it is printed.
+        if !set.is_empty() {
+            repairs.retain(|repair| !self.holds_for_one_solution(at, repair, claim));
+        }
         // No author means an equation whose terms have different dimensions.
         repairs.retain(|repair| !dimensions::are_spoilt(checker, at, repair));
         if repairs.is_empty() {
@@ -115,14 +120,30 @@ impl Course<'_, '_> {
 }
 
 impl Course<'_, '_> {
+    /// Whether a display with a correction was tested for one of several solutions of its premises.
+    fn holds_for_one_solution(&self, at: usize, repair: &Repair, claim: &Claim) -> bool {
+        if repair.verdict == Verdict::Certified {
+            return false;
+        }
+        let judged = |checker: &Checker<'_>| self.equation(checker, at, claim);
+        let found = self.checker.with_edited_text(self.checker.options, at, &self.corrected(at, repair), judged);
+        found.and_then(Result::ok).is_some_and(|found| {
+            std::iter::once(&found.finding).chain(found.parts.iter().map(|part| &part.finding)).any(is_of_one_solution)
+        })
+    }
+
+    /// The text of a display with a correction.
+    fn corrected(&self, at: usize, repair: &Repair) -> String {
+        let display = &self.checker.notes.equations[at];
+        let span = Span::new(repair.span.start - display.body.start, repair.span.end - display.body.start);
+        Edit { span, replacement: repair.replacement.clone(), slip: repair.slip }.applied(&display.text)
+    }
+
     /// Whether a correction puts a name into a display whose formula may be wrong, or was read as 0.
     fn brings_doubt(&self, at: usize, repair: &Repair) -> bool {
         let (model, display) = (self.checker.model, &self.checker.notes.equations[at]);
         let printed = gate::symbols_of(&display.text, model);
-        let span = Span::new(repair.span.start - display.body.start, repair.span.end - display.body.start);
-        let corrected =
-            Edit { span, replacement: repair.replacement.clone(), slip: repair.slip }.applied(&display.text);
-        let new = gate::symbols_of(&corrected, model).into_iter().filter(|id| !printed.contains(id));
+        let new = gate::symbols_of(&self.corrected(at, repair), model).into_iter().filter(|id| !printed.contains(id));
         let node = |id: SymbolId| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
         new.flat_map(|id| gate::names(&node(id), model)).any(|id| self.doubtful.contains(&id))
     }

@@ -7,17 +7,15 @@
 //! | `letters` | what h, i and hats mean |
 //! | `inference` | the claims file that is inferred |
 //! | `scopes` | where a letter gets another meaning |
+//! | `corrections` | what the author changed in the inferred file |
 //! | `draft` | the inferred claims as a file |
 //!
 //! Imports the neighbours `inline` and `scope`, and what is below `unaided`.
 
+pub(super) mod corrections;
 #[cfg(feature = "cli")]
 pub(super) mod draft;
-#[cfg(feature = "cli")]
 pub(super) mod inference;
-#[cfg(feature = "cli")]
 mod letters;
-#[cfg(feature = "cli")]
 pub(super) mod scopes;
-#[cfg(feature = "cli")]
 mod values;

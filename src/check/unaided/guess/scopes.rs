@@ -45,6 +45,8 @@ struct Named {
     introduced: Vec<Name>,
     /// All of them.
     used: Vec<Name>,
+    /// Those with a dot, or under d/dt.
+    moving: Vec<Name>,
 }
 
 /// The names in the displays of notes, and where sections begin.
@@ -66,6 +68,7 @@ impl Outline {
             Named {
                 introduced: usages.iter().filter(is_introduced).map(|usage| usage.name.clone()).collect(),
                 used: usages.iter().map(|usage| usage.name.clone()).collect(),
+                moving: usages.iter().filter(|usage| usage.moves).map(|usage| usage.name.clone()).collect(),
             }
         };
         let found = sections(notes);
@@ -168,11 +171,15 @@ pub(crate) fn from(run: &Run<'_>, notes: &Notes, first: usize, outline: &Outline
     let inside = &outline.names[first..end];
     let mut known: HashSet<&Name> = inside.iter().flat_map(|named| &named.introduced).collect();
     let mut used: HashSet<&Name> = inside.iter().flat_map(|named| &named.used).collect();
+    let moving: HashSet<&Name> = inside.iter().flat_map(|named| &named.moving).collect();
     let mut carried: Vec<usize> = Vec::new();
     for at in (0..first).rev().take(FAR_BACK) {
-        let Named { introduced, used: needs } = &outline.names[at];
+        let Named { introduced, used: needs, .. } = &outline.names[at];
         let is_wanted = introduced.iter().any(|name| used.contains(name));
-        if is_wanted && introduced.iter().all(|name| !known.contains(name)) && carried.len() < CARRIED {
+        // A coordinate of the scope is not given by names of another one: φ = θ − θ₀, where the scope has φ̇ and no θ.
+        let is_coordinate = introduced.iter().any(|name| moving.contains(name));
+        let is_foreign = is_coordinate && !needs.iter().any(|name| !introduced.contains(name) && used.contains(name));
+        if is_wanted && !is_foreign && introduced.iter().all(|name| !known.contains(name)) && carried.len() < CARRIED {
             carried.insert(0, at);
             known.extend(introduced);
             used.extend(needs);

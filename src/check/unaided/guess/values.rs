@@ -28,7 +28,7 @@ pub(crate) struct Value {
 }
 
 impl Value {
-    fn of(run: &[Item]) -> Value {
+    fn of(run: &[Item], usages: &[Usage]) -> Value {
         let is_space = |item: &&Item| matches!(item.layout, Layout::Space(_));
         let significant: Vec<&Item> = run.iter().filter(|item| !is_space(item)).collect();
         let printed = match significant.as_slice() {
@@ -42,7 +42,13 @@ impl Value {
         };
         let name = if printed.is_some() { text_of(&[run[0].clone(), nucleus.clone()]) } else { text_of(run) };
         let differential_of = printed.map(|printed| printed.name);
-        Value { name, moves: moves(run), is_vector: is_vector(run), differential_of, is_given: false }
+        Value {
+            name,
+            moves: moves(run) || contains_what_moves(run, usages),
+            is_vector: is_vector(run),
+            differential_of,
+            is_given: false,
+        }
     }
 }
 
@@ -57,8 +63,8 @@ pub(crate) fn values(readings: &[Reading], notes: &Notes, macros: &Macros, usage
             if matches!(&fault.missing, Some(Missing::Name(name)) if !["d", "\\mathrm{d}"].contains(&name.as_str())) {
                 continue;
             }
-            let value =
-                around(&items, fault.span).map(|run| Value { is_given: is_left(&run, &items), ..Value::of(&run) });
+            let value = around(&items, fault.span)
+                .map(|run| Value { is_given: is_left(&run, &items), ..Value::of(&run, usages) });
             found.extend(value);
         }
         for member in reading.statements.iter().flatten().flat_map(|statement| &statement.members) {
@@ -67,7 +73,7 @@ pub(crate) fn values(readings: &[Reading], notes: &Notes, macros: &Macros, usage
                     && let Some(run) = around(&items, part.span)
                     && is_derivative_of_unknown(&run, usages)
                 {
-                    found.push(Value::of(&run));
+                    found.push(Value::of(&run, usages));
                 }
             });
         }
@@ -119,6 +125,15 @@ fn moves(run: &[Item]) -> bool {
     let text = text_of(run);
     let is_mean = matches!(run.first().map(|item| &item.layout), Some(Layout::Fence(Delimiter::Angle, _)));
     is_mean || text.contains("\\dot") || text.contains("\\ddot") || text.contains('t') && has_time(run)
+}
+
+/// Whether a name that moves elsewhere stands in items: ∂L/∂θ varies as θ does.
+fn contains_what_moves(items: &[Item], usages: &[Usage]) -> bool {
+    let moves = |item: &Item| {
+        names::printed(item, None)
+            .is_some_and(|printed| usages.iter().any(|usage| usage.moves && usage.name == printed.name))
+    };
+    items.iter().any(|item| moves(item) || parts_of(item).into_iter().any(|part| contains_what_moves(part, usages)))
 }
 
 /// Whether the letter t stands in items as a name.

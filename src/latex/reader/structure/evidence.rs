@@ -7,6 +7,7 @@ use super::super::super::layout::{Delimiter, Item, Layout};
 use super::super::super::lexer::Space;
 use super::super::super::names;
 use super::super::items::{contents, differential, is_transpose, whole_number};
+use super::super::vector_names::is_vectorial;
 
 /// Records it.
 pub(in super::super::super) fn note(items: &[Item], inferred: &mut Inferred) {
@@ -100,7 +101,7 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
         // `P_{n+1}(A - BK_n)` is a product of matrices.
         && !inside.first().is_some_and(is_capital);
     // The gamma function has no argument that varies with the time: `i\Gamma(x/c - t)` is refused as k(x − ct) is.
-    let is_rate = base == "\\Gamma" && inside.iter().any(is_time);
+    let is_rate = base == "\\Gamma" && inside.iter().any(|item| is_time(item) || is_field(item));
     // One product in a parenthesis is a factor as often: `\rho(\xi^2 q)`.
     let is_sum = inside.iter().skip(1).any(|item| matches!(item.layout, Layout::Other('+' | '-')));
     let letters = inside.iter().filter(|item| names::printed(item, None).is_some()).count();
@@ -126,6 +127,12 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
 
 fn is_time(item: &Item) -> bool {
     names::printed(item, None).is_some_and(|found| found.name.base == "t")
+}
+
+/// Whether an item is ∇ or a vector: `\Gamma(\vec n\cdot\nabla\phi)` is a product.
+fn is_field(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Command(name) if name == "\\nabla")
+        || names::printed(item, None).is_some_and(|found| is_vectorial(&found.name.base))
 }
 
 /// Greek letters that are indices of space and time.

@@ -101,8 +101,7 @@ impl Found {
         for (at, item) in solid.iter().enumerate() {
             let is_delta = matches!(&item.layout, Layout::Command(name) if name == "\\Delta");
             self.has_step |= is_delta && solid.get(at + 1).is_some_and(|next| names::printed(next, None).is_some());
-            let is_behind_nabla =
-                at > 0 && matches!(&solid[at - 1].layout, Layout::Command(name) if name == "\\nabla");
+            let is_behind_nabla = at > 0 && matches!(&solid[at - 1].layout, Layout::Command(name) if name == "\\nabla");
             if let Some((counter, offset)) = above(item)
                 && !offset.is_empty()
                 && (is_behind_nabla || base(item).is_some_and(|base| is_vectorial(&base)))
@@ -152,7 +151,8 @@ fn above(item: &Item) -> Option<(char, String)> {
 fn is_difference_by_a_step(item: &Item) -> bool {
     const STEPS: [&str; 5] = ["h", "k", "\\tau", "dt", "\\delta t"];
     let Layout::Fraction(numerator, step) = &item.layout else { return false };
-    let solid: Vec<&Item> = contents(numerator).iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let solid: Vec<&Item> =
+        contents(numerator).iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
     let [first, Item { layout: Layout::Other('-'), .. }, second] = solid.as_slice() else { return false };
     let is_difference = base(first).is_some() && base(first) == base(second) && above(first).is_some();
     is_difference && STEPS.contains(&printed(contents(step)).replace("\\mathrm{d}", "d").as_str())

@@ -35,10 +35,10 @@ mod scripts;
 
 pub(in super::super) use acting::note_acting;
 pub(in super::super) use evidence::{is_function_letter, note};
+pub(in super::super) use extrema::is_extremum;
 pub(in super::super) use indices::{note_indices, note_possible_indices};
 pub(in super::super) use infix::{is_prose, states};
 pub(in super::super) use levels::note_levels;
-pub(in super::super) use extrema::is_extremum;
 pub(super) use operators::is_material;
 
 use crate::formula::symbols::{Kind, Name, Operator};

@@ -9,8 +9,8 @@ use super::super::super::names;
 use super::super::super::rows::relation;
 use super::super::items::{contents, differential, has_sign_second, is_any_integral, is_big_sum, joint, whole_number};
 use super::super::state::{Read, Reader};
-use super::super::vector_names::is_vectorial;
 use super::super::undeclared::is_constant_before_an_integral;
+use super::super::vector_names::is_vectorial;
 use super::named_functions::is_named;
 use super::printed;
 
@@ -285,7 +285,8 @@ impl Reader<'_> {
             *cursor += 1;
         }
         // `\nabla\cdot k\nabla T`: a divergence of a scalar does not exist, so it is that of the product.
-        let rest: Vec<&Item> = items[*cursor..].iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+        let rest: Vec<&Item> =
+            items[*cursor..].iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
         if text.ends_with("\\cdot") && is_scalar_before_a_gradient(&rest) {
             let product = self.term(&items[*cursor..])?;
             *cursor = items.len();

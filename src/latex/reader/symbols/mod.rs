@@ -348,7 +348,8 @@ fn is_argument_of_an_operator(inside: &[Item]) -> bool {
     let has_mark = |item: &Item| {
         names::printed(item, None).is_some_and(|found| {
             let base = &found.name.base;
-            ["\\hat{", "\\mathbf{", "\\vec{", "\\mathcal{"].iter().any(|mark| base.contains(mark)) || base.starts_with(char::is_uppercase)
+            ["\\hat{", "\\mathbf{", "\\vec{", "\\mathcal{"].iter().any(|mark| base.contains(mark))
+                || base.starts_with(char::is_uppercase)
         })
     };
     let begins_with_a_name = inside.first().is_some_and(|first| names::printed(first, None).is_some());

@@ -114,6 +114,26 @@ impl Reader<'_> {
     }
 }
 
+impl Reader<'_> {
+    /// Rejects an integral without limits over a space whose measure is first, `\int d^4x\, a + b`: the sum may be the
+    /// integrand.
+    pub(in super::super) fn is_no_open_integrand(&self, items: &[Item]) -> Read<()> {
+        let mut solid = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+        let (Some(sign), Some(measure)) = (solid.next(), solid.next()) else { return Ok(()) };
+        let is_open = is_integral(sign) && !matches!(sign.layout, Layout::Scripts { .. });
+        let is_of_space =
+            differential_of_many(measure).is_some() || differential(measure).is_some_and(|order| order > 1);
+        let plus = items.iter().position(|item| matches!(item.layout, Layout::Other('+' | '-')));
+        match plus {
+            Some(at) if is_open && is_of_space && !items[at..].iter().any(is_any_integral) => {
+                Err(Fault::ambiguous(sign.span.to(items[at].span), "the sum after this integral may be a part of it")
+                    .help("put what is integrated in parentheses"))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
 /// The position of the differential of the integral before these items: inner integrals have their own before it.
 fn own_differential(rest: &[Item]) -> Option<usize> {
     let mut inner = 0_usize;
