@@ -15,6 +15,7 @@ use crate::{Error, Result};
 use super::files::documents::{Job, Loaded, find, folder, load};
 use super::fix::{Fixed, Made, fix, not_passing};
 use super::outcome::{Outcome, Screen, shown};
+use super::values;
 use super::progress::ProgressLine;
 
 /// Checks the equations of notes against their claims
@@ -37,10 +38,10 @@ pub struct Arguments {
     #[arg(long, value_name = "ID")]
     only: Option<String>,
     /// The seed of the sampled states
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, allow_negative_numbers = true, value_parser = values::seed)]
     seed: u64,
     /// The number of sampled states for each equation
-    #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, default_value_t = 24, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     points: u32,
     /// The form of the output
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]

@@ -23,6 +23,7 @@ mod read;
 mod schema;
 mod system;
 mod terminal;
+mod values;
 
 use std::process::ExitCode;
 

@@ -13,6 +13,7 @@ use crate::{Error, Result};
 
 use super::files::documents::{Loaded, find, load};
 use super::outcome::{Format, Outcome, Screen, shown};
+use super::values;
 use super::progress::ProgressLine;
 
 /// Makes every single mistake in the equations of notes, and tells which of them the check would not detect
@@ -31,10 +32,10 @@ pub struct Arguments {
     #[arg(long)]
     repair: bool,
     /// The seed of the sampled states
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, allow_negative_numbers = true, value_parser = values::seed)]
     seed: u64,
     /// The number of sampled states for each mutant
-    #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, default_value_t = 24, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     points: u32,
     /// The form of the output
     #[arg(long, value_enum, default_value_t = Format::Text)]

@@ -203,7 +203,7 @@ impl<'a> Context<'a> {
                 )
             }
             Unavailable::Operation(what) => {
-                (Code::NotSupported, format!("{what} cannot be evaluated; write the formula in another way"))
+                (Code::NotSupported, format!("{what} cannot be evaluated; write its vectors and matrices out, or use a formula without it"))
             }
         };
         self.finding(code, Verdict::Unreadable, message)

@@ -29,7 +29,7 @@ impl Context<'_> {
         let rule = unions.into_iter().find(|rule| is_named(rule.symbol))?;
         let name = text::plain(&self.model.name(rule.symbol));
         Some(format!(
-            "{name} is joined from several families here, so it is not clear which of them is meant; use a name for each"
+            "{name} stands for several families here; use a different letter for each of them"
         ))
     }
 

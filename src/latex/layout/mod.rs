@@ -46,6 +46,6 @@ pub use item::Units;
 pub use item::{Delimiter, Item, Layout};
 pub use parser::layout;
 #[cfg(feature = "notes")]
-pub(crate) use print::latex;
+pub(crate) use print::{latex, typed};
 #[cfg(feature = "notes")]
 pub(crate) use text::typeset_items;

@@ -61,6 +61,7 @@ mod integrals;
 pub(super) mod items;
 mod partial_derivatives;
 mod products;
+mod slashes;
 mod state;
 pub(super) mod structure;
 mod sums;

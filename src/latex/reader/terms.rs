@@ -3,7 +3,7 @@
 use crate::formula::tree::{Expr, Node, Sign, Term};
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Item, Layout, typed};
 use super::super::names;
 use super::functions::written_out;
 use super::items::{extent, function_head, is_any_integral, is_big_product, is_big_sum, is_integral, is_limit, joint};
@@ -67,7 +67,10 @@ impl Reader<'_> {
             terms.push(Term { sign, sign_span, expr: self.term(slice)? });
         }
         if let Some((_, span)) = pending {
-            return Err(Fault::new(span, "no term follows this sign"));
+            let sign = items.iter().filter(|item| item.span == span).cloned().collect::<Vec<_>>();
+            let sign = typed(&sign);
+            return Err(Fault::new(span, format!("a term is missing after this {sign}"))
+                .help(format!("write it, or remove the {sign}")));
         }
         if terms.len() > 1
             && let Some(dots) = dots_after_a_factor(items)
