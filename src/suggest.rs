@@ -57,6 +57,14 @@ pub fn declaration(name: &str, dots: u8) -> String {
     }
 }
 
+/// The advice where a name is that of no system: those there are, and how to add one.
+pub fn systems<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    format!(
+        "the systems are {}; a system of your own needs a Rust program, see examples/own_system.rs",
+        names.collect::<Vec<_>>().join(", ")
+    )
+}
+
 /// The advice to declare a name before a parenthesis with names: as a function of them, or as a factor.
 pub fn function(name: &str, arguments: &[String]) -> String {
     let arguments = arguments.join(", ");

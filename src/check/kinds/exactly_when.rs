@@ -6,7 +6,7 @@ use crate::formula::{Value, evaluate, text};
 use crate::scalar::RunningError;
 
 use crate::check::model::claim::{Hypothesis, Link};
-use crate::check::sample::context::Context;
+use crate::check::sample::context::{Context, NO_EQUALITY};
 use crate::check::sample::setting::FEWEST;
 use crate::check::search::boundary;
 use crate::check::state::counterexample::counterexample;
@@ -116,7 +116,7 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
     Ok(Finding {
         points: both + neither,
         tried,
-        ..context.verified(message, "which states it holds at, and which not")
+        ..context.verified(message, NO_EQUALITY)
     })
 }
 

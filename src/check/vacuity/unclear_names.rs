@@ -62,10 +62,15 @@ impl Context<'_> {
 /// The constant, or the time, that has a dot in a formula or in its definitions.
 fn moving_constant(formula: &Expr, model: &Model, seen: &mut Vec<SymbolId>) -> Option<SymbolId> {
     let constant = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Constant(_) | Meaning::Time)).then_some(id);
+    let is_constant = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Constant(_)));
     match &formula.node {
         Node::TimeDerivative(_, inner) if matches!(inner.node, Node::Symbol { .. }) => {
             let Node::Symbol { id, .. } = inner.node else { return None };
             constant(id)
+        }
+        // `\dot{(x + 1)}`, where nothing in the parenthesis varies.
+        Node::TimeDerivative(_, inner) if inner.symbols().iter().all(|(id, _)| is_constant(*id)) => {
+            inner.symbols().first().map(|(id, _)| *id)
         }
         Node::Symbol { id, dots: 1.., .. } => constant(*id),
         Node::Symbol { id, .. } if !seen.contains(id) => {

@@ -4,7 +4,7 @@ use crate::source::{Fault, Span};
 
 use super::super::lexer::TokenKind;
 use super::item::{Item, Layout, letters};
-use super::parser::{Parser, fault, of_fault};
+use super::parser::{Parser, of_fault};
 
 impl Parser<'_> {
     /// Gives the last item the primes that follow.

@@ -248,7 +248,7 @@ impl Judge<'_, '_> {
             };
         }
         if matches!(own, Status::Holds(_)) && self.names_a_rate(reading) {
-            return (Status::Given(Verdict::Definition, "introduces a name"), None);
+            return (Status::Given(Verdict::Definition, "defines a name"), None);
         }
         if !matches!(own, Status::False(_) | Status::Open(..)) {
             return (own, None);

@@ -10,6 +10,7 @@ use crate::latex::{Macros, read_display};
 use crate::source::Span;
 
 use crate::check::document::setup::define_macros;
+use crate::check::mark::letters::may_stand_for;
 use crate::check::mark::names::{Letters, Names, StandsFor};
 use crate::check::mark::problem::Problem;
 use crate::check::mark::written::Written;
@@ -47,7 +48,8 @@ pub(super) fn tables(
     let is_sound = |table: &Letters| {
         let stands = |a: &Name| is_own(a) || is_number(a);
         let is_open = |b: &Name| is_free(b) || table.contains_key(b);
-        table.iter().all(|(a, b)| stands(a) && is_open(&b.name) && is_number(&b.name)) && !is_exchange(table)
+        let fits = |a: &Name, b: &Name| stands(a) && is_open(b) && is_number(b) && may_stand_for(a, b);
+        table.iter().all(|(a, b)| fits(a, &b.name)) && !is_exchange(table)
     };
     // The letters with which a line is an equation of the problem, beside those that are known.
     let more = |known: &Pairs, line: &(Expr, Expr), display: &(Expr, Expr)| -> Option<Pairs> {

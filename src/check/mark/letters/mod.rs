@@ -331,7 +331,7 @@ fn options(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> 
     let mut found = Vec::new();
     // No letter stands for a slope such as \partial L/\partial\theta.
     for (name, role, angle) in known.names.iter().filter(|(name, ..)| !name.base.starts_with("\\frac")) {
-        if *role == Role::Moving {
+        if *role == Role::Moving && may_stand_for(&usage.name, name) {
             let dots = rate(&usage.name, name, *angle);
             found.extend(dots.map(|dots| (1, StandsFor { name: name.clone(), dots })));
         }
@@ -341,6 +341,9 @@ fn options(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> 
         }
         // A letter with the subscript 0 is a value of something, which does not change.
         if usage.name.subscript == ["0"] && !known.fixed.contains(name) {
+            continue;
+        }
+        if !may_stand_for(&usage.name, name) {
             continue;
         }
         let cost = match () {
@@ -353,6 +356,12 @@ fn options(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> 
         found.push((cost, StandsFor { name: name.clone(), dots: 0 }));
     }
     found
+}
+
+/// Whether a name may stand for another one: a hat marks an operator or a direction, which is no number.
+fn may_stand_for(own: &Name, other: &Name) -> bool {
+    let has_hat = |name: &Name| name.base.starts_with("\\hat{");
+    has_hat(own) == has_hat(other)
 }
 
 /// Whether two names have the same letter but for its case, its form or its subscript.
