@@ -15,8 +15,8 @@ use crate::{Error, Result};
 use super::files::documents::{Job, Loaded, equations_of, find, folder, load, misnamed};
 use super::fix::{Fixed, Made, fix, not_passing};
 use super::outcome::{Outcome, Screen, shown};
-use super::values;
 use super::progress::ProgressLine;
+use super::values;
 
 /// Checks the equations of notes against their claims
 ///

@@ -13,8 +13,8 @@ use crate::{Error, Result};
 
 use super::files::documents::{Loaded, equations_of, find, load};
 use super::outcome::{Format, Outcome, Screen, shown};
-use super::values;
 use super::progress::ProgressLine;
+use super::values;
 
 /// Makes every single mistake in the equations of notes, and tells which of them the check would not detect
 ///

@@ -17,8 +17,9 @@ impl<D: Differentiable> Evaluator<'_, D> {
         match &expr.node {
             Node::OfMatrix(function, inner) => match self.value(inner)? {
                 Value::Matrix(m) => {
-                    let value =
-                        function.of(&m).ok_or(Unavailable::Operation("det or tr of a matrix that is not square, or is too large,"))?;
+                    let value = function
+                        .of(&m)
+                        .ok_or(Unavailable::Operation("det or tr of a matrix that is not square, or is too large,"))?;
                     Ok(Value::Scalar(value))
                 }
                 _ => Err(Unavailable::Operation("det or tr of something that is not a matrix")),

@@ -222,7 +222,8 @@ pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
         }
         if !marked.letters.is_empty() {
             let letters: Vec<String> = marked.letters.iter().map(|(own, other)| format!("{own} for {other}")).collect();
-            out += &(wrap("  letters taken as: ", &format!("{} (please check)", letters.join(", ")), 4, style.width) + "\n");
+            out += &(wrap("  letters taken as: ", &format!("{} (please check)", letters.join(", ")), 4, style.width)
+                + "\n");
         }
         if hints.0 == 0 {
             let said =
@@ -281,7 +282,12 @@ fn marked_lines(marked: &Marked, hints: Hints, style: Style, out: &mut String) {
             let result = &marked.results[at];
             let how = match result.reached {
                 Reached::Yes => String::new(),
-                Reached::WithSlip => " has a mistake".to_owned(),
+                // With a name, the words before stand between commas.
+                Reached::WithSlip => {
+                    let comma = if result.name.is_some() { "," } else { "" };
+                    let what = if line.mark == Mark::Carried { "builds on a mistake" } else { "has a mistake" };
+                    format!("{comma} {what}")
+                }
                 reached => format!(", {}", reached.word()),
             };
             notes.push(format!("result {}{how}: {} of {}", called(result), number(credit), number(result.points)));

@@ -75,7 +75,8 @@ pub(crate) fn symbol(claims: &Claims, model: &Model, latex: &Spanned<String>) ->
             .with_code(Code::UndeclaredName)
             .lacking(Some(Missing::Name(latex.value.clone())));
         let add = declaration(latex.value.trim(), 0);
-        let known: Vec<String> = model.symbols.iter().filter(|(_, entry)| !entry.hidden).map(|(id, _)| model.name(id)).collect();
+        let known: Vec<String> =
+            model.symbols.iter().filter(|(_, entry)| !entry.hidden).map(|(id, _)| model.name(id)).collect();
         match name.and_then(|name| model.symbols.nearest(&name)) {
             Some(near) => error.help(format!("did you mean {near}? If not, {add}")),
             None if (1..=MOST_LISTED).contains(&known.len()) => {

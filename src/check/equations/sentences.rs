@@ -145,8 +145,8 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
             for (variable, shape) in shapes(checker, sentence, property)? {
                 findings.push(function_shape::check(&function, variable, &shape, context));
             }
-            let finding = merged(findings)
-                .unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, NO_CLAIM));
+            let finding =
+                merged(findings).unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, NO_CLAIM));
             Ok((finding, format!("{} of {words}", property_words(property))))
         }
         Test::Solutions { count, of, unknown } => {
@@ -305,8 +305,7 @@ fn claim(
             findings.push(conserved::check(last, context)?);
         }
     }
-    Ok(merged(findings)
-        .unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, NO_CLAIM)))
+    Ok(merged(findings).unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, NO_CLAIM)))
 }
 
 /// A function given by the number of an equation (its last member) or by LaTeX.

@@ -137,7 +137,8 @@ impl Checker<'_> {
                 let finding = identity::check(&link, context)?;
                 match finding.verdict {
                     Verdict::Refuted => {
-                        let message = format!("the printed formula and \"also equals\" differ: {}", finding.message);
+                        let would_hold = finding.mutant.clone().unwrap_or_default();
+                        let message = format!("the printed formula and \"also equals\" differ{would_hold}");
                         Finding { message, ..finding }
                     }
                     _ => finding,

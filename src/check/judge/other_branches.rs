@@ -58,9 +58,8 @@ pub(crate) fn on_another_branch(
     let Some(Branch { functions, condition, holding, name }) = branch(link, context.model, ensemble) else {
         return (finding, None);
     };
-    let values = |function: &Expr| {
-        format!("{} {}", text::formula(function, &context.model.symbols), principal_values(function))
-    };
+    let values =
+        |function: &Expr| format!("{} {}", text::formula(function, &context.model.symbols), principal_values(function));
     let values: Vec<String> = functions.iter().map(values).collect();
     let message = format!(
         "holds on one branch only, because {}; it holds at the {holding} sampled states with {condition}, and fails at \

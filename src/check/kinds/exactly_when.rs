@@ -113,11 +113,7 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
         return Ok(context.finding(Code::TooFewStates, Verdict::Undecided, message));
     }
     let message = format!("holds at the {both} states that satisfy the conditions, and fails at the {neither} others");
-    Ok(Finding {
-        points: both + neither,
-        tried,
-        ..context.verified(message, NO_EQUALITY)
-    })
+    Ok(Finding { points: both + neither, tried, ..context.verified(message, NO_EQUALITY) })
 }
 
 fn text_of(link: &Link, context: &Context<'_>) -> String {

@@ -205,9 +205,10 @@ impl<'a> Context<'a> {
                     format!("this needs time derivatives of order above {most}, which is not supported"),
                 )
             }
-            Unavailable::Operation(what) => {
-                (Code::NotSupported, format!("{what} cannot be evaluated; write its vectors and matrices out, or use a formula without it"))
-            }
+            Unavailable::Operation(what) => (
+                Code::NotSupported,
+                format!("{what} cannot be evaluated; write its vectors and matrices out, or use a formula without it"),
+            ),
         };
         self.finding(code, Verdict::Unreadable, message)
     }

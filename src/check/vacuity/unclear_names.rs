@@ -28,9 +28,7 @@ impl Context<'_> {
         let unions = self.local.iter().filter(|rule| matches!(rule.action, Action::Union(_)));
         let rule = unions.into_iter().find(|rule| is_named(rule.symbol))?;
         let name = text::plain(&self.model.name(rule.symbol));
-        Some(format!(
-            "{name} stands for several families here; use a different letter for each of them"
-        ))
+        Some(format!("{name} stands for several families here; use a different letter for each of them"))
     }
 
     /// The message about a dot on a quantity that depends on the point of an integral: the motion of the matter is not

@@ -146,8 +146,12 @@ pub(crate) fn load(job: &Job) -> Result<Loaded> {
             if files.len() == 1 {
                 return Ok(Loaded::Own(Box::new(claims), notes));
             }
-            let message =
-                format!("{} claims files are given, and {} already belongs to {}", files.len(), shown(file), shown(path));
+            let message = format!(
+                "{} claims files are given, and {} already belongs to {}",
+                files.len(),
+                shown(file),
+                shown(path)
+            );
             return Err(Error::new(message).help(format!("use only {}", shown(file))));
         }
         sets.push((claims, notes_at(&own)?));

@@ -8,6 +8,8 @@
 //!
 //! This folder may import the lexer, the macros and the normalizer of [`super`].
 //!
+//! Offers [`Item`] and [`typeset_items`], and `latex` and `typed`, items as text again.
+//!
 //! # Why reading has two steps
 //!
 //! Layout knows how things are typeset and nothing of what they mean: groups, fences, fractions, scripts. It never

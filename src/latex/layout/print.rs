@@ -67,7 +67,13 @@ fn one(item: &Item, form: Form) -> String {
                     false => format!("{mark}{{{script}}}"),
                 }
             };
-            format!("{}{}{}{}", one(nucleus, form), "'".repeat(usize::from(*primes)), script('_', sub), script('^', sup))
+            format!(
+                "{}{}{}{}",
+                one(nucleus, form),
+                "'".repeat(usize::from(*primes)),
+                script('_', sub),
+                script('^', sup)
+            )
         }
         Layout::Fraction(above, below) => format!("\\frac{{{}}}{{{}}}", inside(above), inside(below)),
         Layout::Root(None, radicand) => format!("\\sqrt{{{}}}", inside(radicand)),

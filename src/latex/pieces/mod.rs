@@ -3,6 +3,8 @@
 //! Commas, `\quad`, arrows, words such as `\text{and}`, rows and columns separate statements. A row that starts with a
 //! relation or a sign continues the row before. Where it is not clear what a row continues, or what a comma or a point
 //! means, the part has a fault.
+//!
+//! Offers `pieces`, the statements of a display as items. Knows the layout, and no symbols.
 
 mod alternatives;
 mod asides;

@@ -176,8 +176,7 @@ impl<'a> Splitter<'a, '_> {
         }
         if let Some(piece) = self.equation() {
             let what = "this arrow may mean “implies” or “tends to”";
-            let fault =
-                Fault::ambiguous(item.span, what).help("write \\Rightarrow, or two displays");
+            let fault = Fault::ambiguous(item.span, what).help("write \\Rightarrow, or two displays");
             piece.fault.get_or_insert(fault);
         }
     }

@@ -110,7 +110,7 @@ impl Reader<'_> {
             | Layout::Letter(_)
             | Layout::Space(_)
             | Layout::Row
-            | Layout::Align => Err(unread(item, !self.symbols.open)),
+            | Layout::Align => Err(unread(item, !(self.symbols.open || self.symbols.guessed))),
         }
     }
 
@@ -131,6 +131,8 @@ impl Reader<'_> {
         if !is_element && (starts_differential(numerator) || starts_differential(denominator)) {
             return Err(Fault::unsupported(span, "only derivatives with respect to time are supported"));
         }
+        is_filled(numerator, "the numerator", span)?;
+        is_filled(denominator, "the denominator", span)?;
         let (a, b) = (self.item(numerator)?, self.item(denominator)?);
         Ok(Expr::new(Node::Quotient(Box::new(a), Box::new(b)), span))
     }
@@ -146,6 +148,7 @@ impl Reader<'_> {
                 return Err(Fault::new(span, "the index of a root must be a whole number from 2 up"));
             }
         };
+        is_filled(radicand, "the root", span)?;
         Ok(Expr::new(Node::Root(degree, Box::new(self.item(radicand)?)), span))
     }
 
@@ -362,6 +365,15 @@ impl Reader<'_> {
     }
 }
 
+/// Rejects a group without a formula in it.
+fn is_filled(item: &Item, what: &str, span: Span) -> Read<()> {
+    let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
+    match contents(item).iter().all(is_space) {
+        true => Err(Fault::new(span, format!("{what} is empty")).help("write a formula in it")),
+        false => Ok(()),
+    }
+}
+
 /// A cell without the full stop or the comma at its end.
 fn without_stop(cell: &[Item]) -> &[Item] {
     let is_mark = |item: &Item| matches!(item.layout, Layout::Other('.' | ',' | ';') | Layout::Space(_));
@@ -447,9 +459,8 @@ fn unread(item: &Item, has_claims: bool) -> Fault {
         Layout::Style(name, _) | Layout::Accent(name, _) => {
             Fault::unsupported(span, format!("{name} is not supported here"))
         }
-        Layout::Text(word) if word == "or" => {
-            Fault::unsupported(span, "“or” between formulas is not supported").help("write each case as an equation of its own")
-        }
+        Layout::Text(word) if word == "or" => Fault::unsupported(span, "“or” between formulas is not supported")
+            .help("write each case as an equation of its own"),
         Layout::Text(word) => Fault::unsupported(span, format!("the text “{word}” is not supported here")),
         Layout::Other(',') => Fault::unsupported(span, "a comma is not supported here")
             .help("write an equation for each value; write numbers as 1000 and 1.5"),

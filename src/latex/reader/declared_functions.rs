@@ -119,7 +119,9 @@ impl Reader<'_> {
             },
             Node::Symbol { .. } => {
                 let what = format!("\\dot {name} may be d{name}/dt or the derivative of {name} by its argument");
-                return Err(Fault::ambiguous(span, what).help(format!("write \\frac{{d}}{{dt}} {name}(…) or {name}'(…)")));
+                return Err(
+                    Fault::ambiguous(span, what).help(format!("write \\frac{{d}}{{dt}} {name}(…) or {name}'(…)"))
+                );
             }
             _ => value,
         };

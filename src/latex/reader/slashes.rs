@@ -10,9 +10,8 @@ const LONGEST: usize = 40;
 
 /// `a/bc`, where the factor at `next` follows the denominator without an operator.
 pub(super) fn before_a_product(items: &[Item], span: Span, next: usize) -> Fault {
-    let generic = || {
-        Fault::ambiguous(span, "a/bc may be a/(bc) or (a/b)c").help("write \\frac{a}{bc} or \\frac{a}{b}c")
-    };
+    let generic =
+        || Fault::ambiguous(span, "a/bc may be a/(bc) or (a/b)c").help("write \\frac{a}{bc} or \\frac{a}{b}c");
     let Some(slash) = last_slash(items, next) else { return generic() };
     let (start, end) = (term_start(items, slash), term_end(items, next));
     let (above, below, rest) = (&items[start..slash], &items[slash + 1..next], &items[next..end]);
@@ -37,10 +36,8 @@ fn derivative(items: &[Item], span: Span, (slash, next, end): (usize, usize, usi
     let of = if of.is_empty() || of.chars().count() > LONGEST { "(…)".to_owned() } else { of };
     let above = &items[slash.checked_sub(1)?];
     Some(
-        Fault::ambiguous(above.span.to(span), format!("{operator} {of} may be a derivative or a quotient")).help(format!(
-            "write \\frac{{d}}{{d{}}} {of} for the derivative",
-            quoted(std::slice::from_ref(variable))
-        )),
+        Fault::ambiguous(above.span.to(span), format!("{operator} {of} may be a derivative or a quotient"))
+            .help(format!("write \\frac{{d}}{{d{}}} {of} for the derivative", quoted(std::slice::from_ref(variable)))),
     )
 }
 
@@ -89,9 +86,7 @@ fn quoted(items: &[Item]) -> String {
 /// The space that the author left before an item.
 fn gap(items: &[Item], at: usize) -> &'static str {
     let before = at.checked_sub(1).map(|before| &items[before]);
-    let is_apart = |before: &Item| {
-        matches!(before.layout, Layout::Space(_)) || before.span.end < items[at].span.start
-    };
+    let is_apart = |before: &Item| matches!(before.layout, Layout::Space(_)) || before.span.end < items[at].span.start;
     if before.is_some_and(is_apart) { " " } else { "" }
 }
 

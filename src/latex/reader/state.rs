@@ -59,7 +59,9 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
         }
         "\\pm" | "\\mp" => Fault::new(span, "± must stand where + or − can stand"),
         "\\partial" | "\\nabla" | "\\prod" | "\\iint" | "\\iiint" | "\\oint" => not_supported(name),
-        "\\forall" | "\\exists" | "\\subset" | "\\subseteq" | "\\supset" | "\\cap" | "\\emptyset" => not_supported(name),
+        "\\forall" | "\\exists" | "\\subset" | "\\subseteq" | "\\supset" | "\\cap" | "\\emptyset" => {
+            not_supported(name)
+        }
         "\\in" | "\\notin" | "\\ni" => {
             Fault::unsupported(span, format!("{name} is not supported")).help(match has_claims {
                 true => "declare the range of the symbol in the claims file, and leave this out with \"skip\"",
@@ -78,12 +80,13 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
         }
         "\\cup" => Fault::unsupported(span, "\\cup joins families of symbols, and is supported under \"where\" only")
             .help("say under \"where\" what the name of the family means in this equation"),
-        _ => Fault::new(span, format!("the command {name} is unknown"))
-            .code(Code::UnknownCommand)
-            .help(match has_claims {
+        _ => {
+            Fault::new(span, format!("the command {name} is unknown")).code(Code::UnknownCommand).help(match has_claims
+            {
                 true => "if it is your own macro, define it under \"macros\" in the claims file",
                 false => "if it is your own macro, define it with \\newcommand, or under \"macros\" in a claims file",
-            }),
+            })
+        }
     }
 }
 

@@ -79,7 +79,7 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(dots, what).help("write + \\dots for terms that are left out"));
         }
         match terms.len() {
-            0 => Err(Fault::new(whole, "a formula is missing here")),
+            0 => Err(Fault::new(whole, "a formula is missing here").help("write a formula at this place")),
             1 if terms[0].sign == Sign::Plus => Ok(terms.remove(0).expr),
             _ => Ok(Expr::new(Node::Sum(terms), whole)),
         }

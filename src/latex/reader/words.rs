@@ -177,11 +177,15 @@ fn two_numbers(before: &Item, item: &Item, is_fraction: bool) -> Fault {
     let span = before.span.to(item.span);
     let (first, second) = (typed(std::slice::from_ref(before)), typed(std::slice::from_ref(item)));
     if second.starts_with('.') && before.span.end == item.span.start {
-        return Fault::new(span, format!("{first}{second} is not a number")).help("write one decimal point in a number");
+        return Fault::new(span, format!("{first}{second} is not a number"))
+            .help("write one decimal point in a number");
     }
     match is_fraction {
-        true => Fault::ambiguous(span, format!("{first}{second} may be the product {first}·{second} or the sum {first} + {second}"))
-            .help("write \\cdot or + between them"),
+        true => Fault::ambiguous(
+            span,
+            format!("{first}{second} may be the product {first}·{second} or the sum {first} + {second}"),
+        )
+        .help("write \\cdot or + between them"),
         false => Fault::ambiguous(
             span,
             format!("{first} {second} may be the product {first}·{second} or the number {first}{second}"),

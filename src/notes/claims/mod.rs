@@ -2,6 +2,8 @@
 //!
 //! Every value is typed and has its place; LaTeX stays text. A key that is unknown or not supported yet is an error.
 //!
+//! Offers [`Claims`], and the schema of the file. Knows JSON with places, and addresses; no LaTeX is read.
+//!
 //! # Why the claims are JSON beside the notes
 //!
 //! Notes may belong to someone else. Equation numbers are text in JSON (`2.10` is a number in YAML and a dotted key

@@ -7,6 +7,9 @@
 //! A quantity beside a letter, `m = 2.0\,\text{kg}`, gives the letter a value in an example, and says nothing about it
 //! elsewhere: it is no definition, and no premise. Numbers that are put into a formula must have its shape, each letter one
 //! value; where they have another one, nothing is said about them.
+//!
+//! Offers `measured`, the finding on a result with units, `misfit`, and `compared` for two numbers. Knows `document`, `sample` and
+//! below.
 
 mod natural;
 mod quantity;

@@ -21,8 +21,8 @@ use crate::check::kinds::shapes::shape::{Atoms, Shape, Still, Target, difference
 use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
 use crate::check::sample::sampler::last;
-use crate::check::verdict::finding::Compared;
 use crate::check::state::residual;
+use crate::check::verdict::finding::Compared;
 
 /// The ratio of the finer grid to the usual one.
 const FINER: u32 = 3;
@@ -207,11 +207,10 @@ impl Probe<'_> {
             let (sign, slope_sign) = (clear(value), clear(slope));
             positive |= sign > 0.0;
             negative |= sign < 0.0;
-            let fails =
-                |found: f64, what: &str| {
-                    let (compared, what) = (Compared::AtAPlace, what.to_owned());
-                    Observation::Fails { at: Some(x), found, wanted: 0.0, compared, what }
-                };
+            let fails = |found: f64, what: &str| {
+                let (compared, what) = (Compared::AtAPlace, what.to_owned());
+                Observation::Fails { at: Some(x), found, wanted: 0.0, compared, what }
+            };
             let step = last_value.map(|last: RunningError| clear(value - last));
             last_value = Some(value);
             match shape {

@@ -1,4 +1,7 @@
 //! Follow-through: the false line before it from which a false line follows.
+//!
+//! Offers `origin`, the false line from which a line follows, with what stands before the line (`Before`). Knows `steps`, `document`
+//! and below, and of `mark` the letters and the motion.
 
 mod about_rest;
 mod another_value;

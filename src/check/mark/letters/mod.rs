@@ -4,6 +4,9 @@
 //! take them for unused names of the problem, or for rates of its coordinates, are tried, the likeliest first. The best one
 //! counts, if it makes more true than none. First come the ways by which a line is one of the problem ([`matching`]). A way is likely if a letter differs only in its case or its subscript, if
 //! angles stand for angles, and if v and a are a velocity and an acceleration.
+//!
+//! Offers `best`, the hand-in judged with the letters that fit best. Knows `judge` and `written` of `mark`, `usage`, and `document` and
+//! below.
 
 mod matching;
 

@@ -3,6 +3,8 @@
 //! Where a display does not follow from a definition, the slip may be in either ([`Culprit`]). The other displays that use the
 //! name decide. Where none does, one of the two is wrong and nobody can tell which: the report says so, shows an edit of each,
 //! and calls neither wrong. The same is asked of relations that are taken for granted ([`premises`]).
+//!
+//! Offers `weighed`, which changes the findings on displays that contradict each other. Knows `repair` and below.
 
 pub(super) mod premises;
 

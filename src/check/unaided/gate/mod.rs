@@ -1,5 +1,8 @@
 //! What a finding means where no claims file says what the symbols are: whether the display follows, introduces a name,
 //! is taken for granted, or is wrong.
+//!
+//! Offers `as_it_counts`, the finding on a display as it counts without a claims file, and what decides whether an edit is a likely
+//! slip. Knows `repair`, `kinds` and below.
 
 mod content;
 mod likely;

@@ -1,4 +1,6 @@
 //! A printed name as a symbol of the symbol table, with its superscript and a following parenthesis.
+//!
+//! Offers `symbol`, a method of the reader. Knows `applications`, the names and the state of the reader.
 
 mod compound;
 mod euler;
@@ -234,8 +236,9 @@ impl Reader<'_> {
         }
         if !is_vector && has_markup {
             return Err(match has_hat {
-                true => Fault::ambiguous(span, format!("{name} may be an operator, a unit vector or a number"))
-                    .help("operators are not supported; write a vector by its components, or declare it in a claims file"),
+                true => Fault::ambiguous(span, format!("{name} may be an operator, a unit vector or a number")).help(
+                    "operators are not supported; write a vector by its components, or declare it in a claims file",
+                ),
                 false => Fault::unsupported(span, format!("{name} is a vector, and nothing gives its components"))
                     .help("write its components, or declare it in a claims file"),
             });

@@ -11,6 +11,8 @@
 //!
 //! The letter of a sum or an integral is a number of its own while its body is read, unless it is a declared number:
 //! then names that a formula defines by it are written out.
+//!
+//! Offers methods of the reader. Knows the layout, the state of the reader, and the calculus of `formula`.
 
 mod bars;
 mod integrals;
