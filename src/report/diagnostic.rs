@@ -4,12 +4,13 @@ use annotate_snippets::{Element, Group, Level, Title};
 
 use crate::Error;
 use crate::check::verdict::finding::Compared;
-use crate::check::{Counterexample, Document, Equation, Finding, Part, Verdict};
+use crate::check::{Counterexample, Document, Equation, Finding, Part};
 use crate::code::Code;
 use crate::formula::text::{number, plain};
 
 use super::code;
 use super::excerpt::{Excerpt, alone};
+use super::headline::{headline, outcome, said};
 use super::style::Style;
 use super::suggestion;
 use super::wrap::{titled, wrap};
@@ -46,7 +47,7 @@ pub(super) fn unexpected(document: &Document, item: &Equation, style: Style) -> 
         (Some(_), true) => {
             format!("({}) is {}, and the claims file expects that it does not pass", item.id, finding.verdict)
         }
-        _ => format!("({}) {}", item.id, said(finding, is_read(item, finding))),
+        _ => headline(item, finding),
     };
     let code = code::of_finding(finding);
     // What the author leaves out is no mistake; it is as expected only if the claims file says so.
@@ -78,42 +79,8 @@ fn another(document: &Document, item: &Equation, at: usize, finding: &Finding, f
     let (line, column) = document.source.line_column(finding.span.start);
     let name = format!("part {} of {}, at {line}:{column},", at + 1, item.parts.len());
     match finding.message == first.message {
-        true => format!("{name} {} too", outcome(finding, is_read(item, finding))),
-        false => format!("{name} {}", said(finding, is_read(item, finding))),
-    }
-}
-
-/// Whether the text that a finding is about was read, so that its reading can be shown.
-fn is_read(item: &Equation, finding: &Finding) -> bool {
-    let part = item.parts.iter().find(|part| std::ptr::eq(&part.finding, finding));
-    // A formula whose shapes or indices do not fit has no reading, but each part of it was read.
-    let fits = !matches!(finding.code, Code::ShapeMismatch | Code::IndexMismatch);
-    !fits || !part.map_or(&item.reading, |part| &part.reading).is_empty()
-}
-
-/// The verdict and the message as a predicate.
-fn said(finding: &Finding, is_read: bool) -> String {
-    let (outcome, message) = (outcome(finding, is_read), &finding.message);
-    match finding.verdict {
-        Verdict::Unclaimed if finding.code == Code::Skipped => format!("{outcome}, because {message}"),
-        Verdict::Undecided if finding.leaves_a_definition_open() => format!("{outcome}: it {message}"),
-        Verdict::Domain if finding.code == Code::OneBranch => message.clone(),
-        _ => format!("{outcome}: {message}"),
-    }
-}
-
-/// The verdict as a predicate. What is `unreadable` was not read, or was read and cannot be evaluated.
-fn outcome(finding: &Finding, is_read: bool) -> String {
-    match (finding.verdict, is_read) {
-        // A second print that lacks something has nothing to read there.
-        (Verdict::Unreadable, _) if finding.code == Code::LostInPrint => "is not printed in full".to_owned(),
-        (Verdict::Unreadable, true) => "was read, but cannot be checked".to_owned(),
-        (Verdict::Unreadable, false) => "could not be read".to_owned(),
-        (Verdict::Undecided, _) => "was not decided".to_owned(),
-        (Verdict::Unclaimed, _) => "was not checked".to_owned(),
-        (Verdict::Domain, _) if finding.code == Code::OneBranch => "holds on one branch only".to_owned(),
-        (Verdict::Domain, _) => "has a restricted domain".to_owned(),
-        (verdict, _) => format!("is {verdict}"),
+        true => format!("{name} {} too", outcome(item, finding)),
+        false => format!("{name} {}", said(item, finding)),
     }
 }
 
@@ -155,7 +122,7 @@ pub fn compared(counterexample: &Counterexample) -> Option<String> {
     let entry = counterexample.entry.as_ref().map(|entry| format!(" ({entry})")).unwrap_or_default();
     match counterexample.compared {
         Compared::Sides => Some(format!("{}{entry}", sides(*lhs, *rhs))),
-        Compared::Counts(what) => Some(format!("found: {} {what}; claimed: {}", number(*lhs, 7), number(*rhs, 7))),
+        Compared::Counts(what) => Some(format!("found: {lhs} {what}; claimed: {rhs}")),
         Compared::AtAPlace => Some(format!("found {}, compared with {}", number(*lhs, 7), number(*rhs, 7))),
         Compared::Nothing => None,
     }

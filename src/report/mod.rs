@@ -14,6 +14,7 @@ mod crop;
 pub mod diagnostic;
 mod excerpt;
 pub mod explain;
+mod headline;
 pub mod json;
 pub mod marks;
 pub mod mutants;

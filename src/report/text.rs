@@ -180,9 +180,9 @@ fn unaided_counts(items: &[&Equation]) -> Vec<String> {
     };
     [
         of(Verdict::holds, "follows", "follow"),
-        of(|verdict| matches!(verdict, Verdict::Definition | Verdict::Law), "introduced", "introduced"),
+        of(|verdict| matches!(verdict, Verdict::Definition | Verdict::Law), "definition", "definitions"),
         of(|verdict| verdict == Verdict::Assumed, "taken for granted", "taken for granted"),
-        of(|verdict| verdict == Verdict::Refuted, "wrong", "wrong"),
+        of(|verdict| verdict == Verdict::Refuted, "refuted", "refuted"),
         of(|verdict| verdict == Verdict::Undecided, "not decided", "not decided"),
         of(|verdict| matches!(verdict, Verdict::Unreadable | Verdict::Unclaimed), "not read", "not read"),
     ]

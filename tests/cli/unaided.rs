@@ -269,7 +269,7 @@ fn every_display_is_counted_and_what_is_not_read_is_said() {
     desk.write("notes.md", notes);
     let run = desk.onshell(&["check", "notes.md"]);
     let said = run.out.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(said.contains("4 displays, without a claims file: 1 follows, 2 introduced, 1 not read"), "{}", run.out);
+    assert!(said.contains("4 displays, without a claims file: 1 follows, 2 definitions, 1 not read"), "{}", run.out);
 }
 
 #[test]

@@ -75,7 +75,7 @@ fn a_save_is_answered_and_the_page_changes() {
     let version = asked(port, "/version?0", &own);
     assert!(version.ends_with("\r\n1"), "{version}");
     desk.write("notes.md", "$$ (a+b)^2 = a^2 + b^2 $$\n");
-    watch.line_with("1 wrong");
+    watch.line_with("1 refuted");
     assert!(asked(port, "/version?1", &own).ends_with("\r\n2"));
     assert!(asked(port, "/notes.html", &own).contains("class=\"correction\""));
     assert!(asked(port, "/style.css", &own).contains("text/css"));

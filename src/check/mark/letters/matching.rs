@@ -10,7 +10,6 @@ use crate::latex::{Macros, read_display};
 use crate::source::Span;
 
 use crate::check::document::setup::define_macros;
-use crate::check::mark::letters::may_stand_for;
 use crate::check::mark::names::{Letters, Names, StandsFor};
 use crate::check::mark::problem::Problem;
 use crate::check::mark::written::Written;
@@ -147,6 +146,12 @@ fn is_alike(left: &Expr, right: &Expr, pairs: &mut Pairs) -> bool {
         pairs.truncate(start);
     }
     is_it
+}
+
+/// Whether a name may stand for another one: a hat marks an operator or a direction, which is no number.
+pub(super) fn may_stand_for(own: &Name, other: &Name) -> bool {
+    let has_hat = |name: &Name| name.base.starts_with("\\hat{");
+    has_hat(own) == has_hat(other)
 }
 
 /// The factors of a formula: those above the fraction line, and those below.

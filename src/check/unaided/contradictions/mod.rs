@@ -40,7 +40,7 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
         let (id, name) = (found[place].id.clone(), found[defined].id.clone());
         if is_common_there && (!culprit.others.is_empty() || !is_common_here) {
             let message = match culprit.others.len() {
-                0 => format!("({id}) contradicts this definition, and a likely slip in it explains that"),
+                0 => format!("({id}) contradicts this definition, and a likely mistake in it explains that"),
                 1 => format!("({id}) and another display contradict this definition"),
                 others => format!("({id}) and {others} other displays contradict this definition"),
             };

@@ -218,8 +218,7 @@ pub(super) fn as_following(equation: Equation) -> Option<Equation> {
 
 /// The equation as it counts where it gives a new name a formula.
 pub(super) fn introduces(equation: Equation, name: &str) -> Equation {
-    let finding =
-        Finding::new(Code::Introduced, Verdict::Definition, equation.finding.span, format!("introduces {name}"));
+    let finding = Finding::new(Code::Introduced, Verdict::Definition, equation.finding.span, format!("defines {name}"));
     Equation { finding, parts: Vec::new(), repairs: Vec::new(), elsewhere: Vec::new(), ok: true, ..equation }
 }
 
