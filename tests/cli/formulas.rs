@@ -152,7 +152,7 @@ fn read_points_at_what_it_does_not_understand() {
     for (formula, place, word) in [
         (r"a + \foo b", "1:5", r"\foo"),
         ("a + + b", "1:3", "two signs"),
-        (r"a = b/cd", "1:7", "a/bc may be a/(bc) or (a/b)c"),
+        (r"a = b/cd", "1:7", "b/cd may be b/(cd) or (b/c)d"),
     ] {
         let run = desk.onshell(&["read", formula]);
         assert_eq!(run.code, 2, "{formula}: {}", run.out);
