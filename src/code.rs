@@ -84,7 +84,7 @@ codes! {
     /// contradicted if no edit of one of these displays itself corrects that one.
     ///
     /// For example, `t_1 = \frac{v}{7 a}` before `v_1 = v - a t_1 = \frac57 v` and another display that needs twice that time.
-    /// Correct it.
+    /// Correct the definition.
     DefinitionContradicted = "definition-contradicted",
     /// The text is not a unit of the SI.
     ///
@@ -198,7 +198,7 @@ codes! {
     /// The claim is one of its hypotheses, or says the same as them in other words.
     ///
     /// For example, `x = 2y` under the hypothesis `y = x/2`. Such a claim is not tested.
-    /// Remove the hypothesis from `assuming` or `where`, or mark the equation as a law.
+    /// Remove the hypothesis from `assume` or `where`, or mark the equation as a law.
     RestatesHypothesis = "restates-hypothesis",
     /// The claim follows from its own hypotheses, whatever the system does.
     ///
@@ -233,7 +233,7 @@ codes! {
     Definition = "definition",
     /// The display is a law: a hypothesis by the word of the claims file, not checked here.
     Law = "law",
-    /// No statement could be made: there are no states, too few, or none that can tell.
+    /// Nothing could be decided: there are no states, too few, or none that tell the claim from a wrong one.
     ///
     /// For example, in `x + \sqrt{x^3} \approx x` to first order in x, the error falls as the power 1.5 of x. The
     /// message
@@ -337,7 +337,7 @@ codes! {
     /// The words before an equation say that something is sought that solves it, and nothing says what that is.
     ///
     /// For example, "the distances are the roots of" before `E - \frac12 k x^2 = 0`: it holds where x does not change, and not in
-    /// general, so that its failure says nothing.
+    /// general, so the failure does not show a mistake.
     /// State where it holds, with `where` or `assume`, or claim `secular equation for`.
     EquationForUnknown = "equation-for-unknown",
     /// Other equations use a defined name, and a wrong definition would not make any of them fail.
@@ -349,7 +349,7 @@ codes! {
     DefinitionNotTested = "definition-not-tested",
     /// A defined name is always 0 as printed.
     ///
-    /// For example, `a = x - x`. Such a definition is correct for any use, and is probably a misprint. Correct it.
+    /// For example, `a = x - x`. Such a definition is correct for any use, and is probably a misprint. Correct the definition.
     DefinitionZero = "definition-zero",
     /// The display defines a name, and other equations test the definition except for its sign or its factor.
     ///

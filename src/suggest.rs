@@ -45,6 +45,11 @@ pub fn declaration(name: &str, dots: u8) -> String {
     let role = if dots > 0 || is_vector { "varies with time" } else { "constants" };
     let add = format!("add {}: \"any\" under \"{role}\" in the claims file", in_json(name));
     match name {
+        _ if name.contains("\\hat") => format!(
+            "for the direction of a vector, add {}: \"any\" under \"constants\" in the claims file; operators are not \
+             supported",
+            in_json(&name.replacen("\\hat", "\\vec", 1))
+        ),
         "i" | "\\mathrm{i}" => format!(
             "for √−1, declare \"{name}\": \"imaginary unit\" among the constants; if {name} is a real number, {add}"
         ),
@@ -52,9 +57,28 @@ pub fn declaration(name: &str, dots: u8) -> String {
     }
 }
 
+/// The advice where a name is that of no system: those there are, and how to add one.
+pub fn systems<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    format!(
+        "the systems are {}; a system of your own needs a Rust program, see examples/own_system.rs",
+        names.collect::<Vec<_>>().join(", ")
+    )
+}
+
+/// The advice to declare a name before a parenthesis with names: as a function of them, or as a factor.
+pub fn function(name: &str, arguments: &[String]) -> String {
+    let arguments = arguments.join(", ");
+    format!(
+        "if {name} is a function of {arguments}, add {}: {} under \"functions\" in the claims file; if it is a factor, \
+         remove the parentheses and declare it under \"constants\"",
+        in_json(name),
+        in_json(&format!("of {arguments}"))
+    )
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{declaration, in_json, nearest};
+    use super::{declaration, function, in_json, nearest};
 
     #[test]
     fn a_declaration_is_a_line_of_json() {
@@ -64,6 +88,9 @@ mod tests {
         assert!(declaration("\\vec r", 0).contains("\"varies with time\""));
         assert!(declaration("i", 0).contains("imaginary unit"));
         assert!(!declaration("i_1", 0).contains("complex"));
+        // What has a hat cannot be declared as a number.
+        assert!(declaration("\\hat{n}", 0).contains(r#"add "\\vec{n}": "any" under "constants""#));
+        assert!(function("f", &["x".to_owned()]).contains(r#"add "f": "of x" under "functions""#));
     }
 
     #[test]

@@ -18,7 +18,7 @@
 //! | `document` | the preparation of a document: displays read, claims assigned, units inferred |
 //! | `equations` | the finding on each equation and each sentence of a document |
 //! | `trial` | trials of another text in place of a display |
-//! | `repair` | single edits with which a wrong equation passes, and their ranking |
+//! | `repair` | suggestions: single edits with which a wrong equation passes, and their ranking |
 //! | `steps` | derivations: false steps that follow from a false step before them |
 //! | `mutation` | mutation testing of a document |
 //! | `reprint`, `run` | a second print of the same equations; the check of one document |
@@ -27,6 +27,9 @@
 //! | `mark` | hand-ins: each line against a problem and the lines before it |
 //! | `unaided` | notes without a claims file, or with guesses in it: claims inferred, findings weighed |
 //! | `checked` | the check of one document, whether its claims are guesses or not |
+//!
+//! Offers [`check_document`], and for the command line each of the other checks: a whole run, a comparison of two formulas, mutation
+//! testing, marks of hand-ins. May know everything but `report`, `page`, `plot`, `lecture` and `cli`.
 
 pub(crate) mod certificate;
 pub(crate) mod checked;

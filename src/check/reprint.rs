@@ -62,7 +62,7 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
         let Some(number) = display.id().filter(|number| equations.iter().all(|known| known.id != *number)) else {
             continue;
         };
-        let message = "no claims file has a claim about this number";
+        let message = format!("the notes of the claims file have no ({number}); add it there, or remove it here");
         let finding = Finding::new(Code::NoClaim, Verdict::Unclaimed, display.body, message);
         equations.push(unjudged(print, number, display.line, finding));
     }

@@ -12,10 +12,11 @@ use crate::report::{self, wrap};
 use crate::systems::Registry;
 use crate::{Error, Result};
 
-use super::files::documents::{Job, Loaded, find, folder, load};
+use super::files::documents::{Job, Loaded, equations_of, find, folder, load, misnamed};
 use super::fix::{Fixed, Made, fix, not_passing};
 use super::outcome::{Outcome, Screen, shown};
 use super::progress::ProgressLine;
+use super::values;
 
 /// Checks the equations of notes against their claims
 ///
@@ -37,10 +38,10 @@ pub struct Arguments {
     #[arg(long, value_name = "ID")]
     only: Option<String>,
     /// The seed of the sampled states
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, allow_negative_numbers = true, value_parser = values::seed)]
     seed: u64,
     /// The number of sampled states for each equation
-    #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, default_value_t = 24, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     points: u32,
     /// The form of the output
     #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
@@ -96,6 +97,7 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
             _ => "nothing was edited: no edit is suggested for what is not as expected".to_owned(),
         });
     }
+    told.splice(0..0, warnings(arguments));
     let mut known = HashSet::new();
     told.retain(|line: &String| known.insert(line.clone()));
     let code = match errors.is_empty() {
@@ -113,6 +115,13 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     };
     let told: String = told.iter().map(|line| wrap("", line, 2, screen.err.width) + "\n").collect();
     Outcome { output, messages: told + &shown(&errors, screen), code }
+}
+
+/// What is said of claims files whose notes are not there.
+fn warnings(arguments: &Arguments) -> Vec<String> {
+    let Ok((paths, claims)) = given(arguments) else { return Vec::new() };
+    let jobs = paths.into_iter().filter_map(|path| find(path, &claims).ok()).flatten();
+    jobs.flat_map(|job| misnamed(&job)).collect()
 }
 
 /// The report on these paths with the usual options.
@@ -153,6 +162,7 @@ fn checked(arguments: &Arguments, registry: &Registry) -> (Report, Vec<Error>) {
     let loaded: Vec<Result<Loaded>> = jobs.par_iter().map(load).collect();
     errors.extend(loaded.iter().flatten().flat_map(|loaded| loaded.notes().absent.iter().cloned()));
     let items = loaded.iter().flatten().map(|loaded| loaded.items(only)).sum();
+    let known = equations_of(loaded.iter().flatten().map(Loaded::notes));
     let progress = ProgressLine::start(items);
     let run = Run { registry, options, only, progress: &progress };
     let checked: Vec<Result<Document>> = loaded.into_par_iter().map(|loaded| loaded?.check(&run)).collect();
@@ -167,8 +177,7 @@ fn checked(arguments: &Arguments, registry: &Registry) -> (Report, Vec<Error>) {
         // Of several documents, only those that have the equation are shown.
         result.documents.retain(|document| !document.equations.is_empty());
         if result.documents.is_empty() && errors.is_empty() {
-            let error = Error::new(format!("there is no equation ({only})")).help("name it by its number or its label");
-            errors.push(error);
+            errors.push(Error::new(format!("there is no equation ({only})")).help(known));
         }
     }
     (result, errors)

@@ -8,6 +8,7 @@ use crate::report;
 use crate::{Comparison, Error, Result, compare};
 
 use super::outcome::{Format, Outcome, Screen};
+use super::values;
 
 /// Tells whether two formulas are equal
 ///
@@ -26,10 +27,10 @@ pub struct Arguments {
     #[arg(long = "where", value_name = "NAME=LOW..HIGH")]
     ranges: Vec<String>,
     /// The seed of the sampled states
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, allow_negative_numbers = true, value_parser = values::seed)]
     seed: u64,
     /// The number of sampled states
-    #[arg(long, default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, default_value_t = 64, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     points: u32,
     /// The form of the output
     #[arg(long, value_enum, default_value_t = Format::Text)]

@@ -6,6 +6,7 @@ use crate::latex::names;
 use crate::{Error, Formula, Result};
 
 use super::outcome::{Format, Outcome, Screen};
+use super::values;
 
 /// Prints the value of a formula, to 17 digits
 ///
@@ -75,14 +76,10 @@ fn entries(arguments: &Arguments) -> Result<(Vec<WithError>, Option<String>)> {
 
 /// A name and its value, from `NAME=VALUE`.
 fn setting(pair: &str) -> Result<(&str, f64)> {
-    let wrong = || Error::new(format!("“{pair}” sets nothing: it is not NAME=VALUE")).help("write --set '\\theta=0.7'");
-    let (name, value) = pair.split_once('=').ok_or_else(wrong)?;
-    let name = name.trim();
-    names::parse(name).ok_or_else(wrong)?;
-    let value: f64 = value.trim().parse().map_err(|_| wrong())?;
-    if !value.is_finite() {
-        return Err(Error::new(format!("the value of {name} is too large to compute with")));
-    }
+    let (name, value) = values::setting(pair)?;
+    names::parse(name).ok_or_else(|| {
+        Error::new(format!("“{name}” is not a name in --set {pair}")).help("write --set '\\theta=0.5'")
+    })?;
     Ok((name, value))
 }
 

@@ -14,6 +14,7 @@ use crate::systems::Registry;
 use crate::{Error, Result};
 
 use super::outcome::{Outcome, Screen, shown};
+use super::values;
 
 /// Marks hand-ins: each line against a problem, and against the lines before it
 ///
@@ -45,7 +46,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// The seed of the sampled states
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, allow_negative_numbers = true, value_parser = values::seed)]
     seed: u64,
 }
 

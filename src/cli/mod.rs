@@ -6,6 +6,8 @@
 //!
 //! Exit codes of every command: 0 when all is as it should be, 1 when something is wrong, 2 when something could not be
 //! checked, read or written.
+//!
+//! Offers `run`, the whole command.
 
 mod check;
 mod equal;
@@ -23,6 +25,7 @@ mod read;
 mod schema;
 mod system;
 mod terminal;
+mod values;
 
 use std::process::ExitCode;
 

@@ -11,9 +11,10 @@ use crate::report;
 use crate::systems::Registry;
 use crate::{Error, Result};
 
-use super::files::documents::{Loaded, find, load};
+use super::files::documents::{Loaded, equations_of, find, load};
 use super::outcome::{Format, Outcome, Screen, shown};
 use super::progress::ProgressLine;
+use super::values;
 
 /// Makes every single mistake in the equations of notes, and tells which of them the check would not detect
 ///
@@ -31,10 +32,10 @@ pub struct Arguments {
     #[arg(long)]
     repair: bool,
     /// The seed of the sampled states
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, allow_negative_numbers = true, value_parser = values::seed)]
     seed: u64,
     /// The number of sampled states for each mutant
-    #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, default_value_t = 24, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     points: u32,
     /// The form of the output
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -60,6 +61,15 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
         Loaded::Own(claims, notes) => setup::equations(claims, notes, only),
         Loaded::Reprint(..) | Loaded::Unclaimed(_) => 0,
     };
+    let known = equations_of(loaded.iter().flatten().filter_map(|loaded| match loaded {
+        Loaded::Own(_, notes) => Some(notes),
+        Loaded::Reprint(..) | Loaded::Unclaimed(_) => None,
+    }));
+    let unclaimed = |loaded: &Loaded| match loaded {
+        Loaded::Unclaimed(notes) => Some(notes.source.path.clone()),
+        Loaded::Own(..) | Loaded::Reprint(..) => None,
+    };
+    let without_claims: Vec<String> = loaded.iter().flatten().filter_map(unclaimed).collect();
     let progress = ProgressLine::start(loaded.iter().flatten().map(equations).sum());
     let run = Run { registry, options, only, progress: &progress };
     let mutated: Vec<Result<Option<Mutated>>> = loaded
@@ -86,8 +96,12 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
         let left_out: Vec<&Mutants> =
             documents.iter().flat_map(|d| &d.equations).filter(|e| e.left_out.is_some()).collect();
         errors.push(match left_out.as_slice() {
-            [] => Error::new("there is no equation to mutate")
-                .help("name notes that have a claims file, and equations with a number or a claim"),
+            [] => match (only, without_claims.as_slice()) {
+                (_, [first, ..]) => Error::new(format!("{first} has no claims file, so nothing in it can be mutated"))
+                    .help(format!("write one with: onshell init {first}")),
+                (Some(only), _) => Error::new(format!("there is no equation ({only}) to mutate")).help(known),
+                (None, _) => Error::new("there is no equation to mutate").help(known),
+            },
             all => Error::new(format!("no equation can be mutated: {} left out", counted(all.len())))
                 .help("only an equation that passes is mutated; `onshell check` shows what is wrong with the others"),
         });

@@ -11,6 +11,8 @@
 //! with automatic differentiation, for every system. A quantity without an exact or printable form is an error.
 //!
 //! This folder imports `mechanics`, `scalar`, `formula`, and the typesetter of `latex`.
+//!
+//! Offers [`Derivation`], what follows from a system, and [`difference`](fn@difference), what two formulas differ by.
 
 mod algebra;
 pub mod difference;

@@ -15,6 +15,8 @@
 //!
 //! This folder may import [`crate::scalar`], [`crate::source`] and [`crate::suggest`]. It knows nothing of LaTeX, of
 //! mechanics, or of claims.
+//!
+//! Offers [`Expr`] and [`Symbols`], and in each file what is done with them.
 
 #[cfg(feature = "notes")]
 pub mod assignment;

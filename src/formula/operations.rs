@@ -17,11 +17,12 @@ impl<D: Differentiable> Evaluator<'_, D> {
         match &expr.node {
             Node::OfMatrix(function, inner) => match self.value(inner)? {
                 Value::Matrix(m) => {
-                    let value =
-                        function.of(&m).ok_or(Unavailable::Operation("this function of a matrix of this size"))?;
+                    let value = function
+                        .of(&m)
+                        .ok_or(Unavailable::Operation("det or tr of a matrix that is not square, or is too large,"))?;
                     Ok(Value::Scalar(value))
                 }
-                _ => Err(Unavailable::Operation("a function of a matrix, applied to something else,")),
+                _ => Err(Unavailable::Operation("det or tr of something that is not a matrix")),
             },
             Node::Commutator(a, b) => {
                 let (a, b) = (self.value(a)?, self.value(b)?);

@@ -103,7 +103,9 @@ pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Re
     let lacks = |one: &Type, other: &Type| one.free.iter().any(|letter| !other.free.contains(letter));
     let strangers = lacks(a.1, b.1) && lacks(b.1, a.1);
     if strangers || components(&a.1.free, symbols) != components(&b.1.free, symbols) {
-        return Err(Fault::index(span, "the two sides have different free indices"));
+        let [left, right] = [a.1, b.1].map(|found| indices(&found.free, symbols));
+        let message = format!("the left side has {left}, and the right side has {right}");
+        return Err(Fault::index(span, message).help("write the same free indices on both sides"));
     }
     Ok(())
 }
@@ -331,6 +333,16 @@ impl Binder<'_> {
 /// The component indices among these, without labels.
 pub(super) fn components(free: &[IndexId], symbols: &Symbols) -> Vec<IndexId> {
     free.iter().copied().filter(|letter| !symbols.indices[letter.0].labels).collect()
+}
+
+/// Free indices in words.
+fn indices(free: &[IndexId], symbols: &Symbols) -> String {
+    let letters: Vec<&str> = free.iter().map(|index| symbols.indices[index.0].letter.as_str()).collect();
+    match letters.as_slice() {
+        [] => "no free index".to_owned(),
+        [only] => format!("the free index {only}"),
+        [first @ .., last] => format!("the free indices {} and {last}", first.join(", ")),
+    }
 }
 
 /// The union of two lists of indices, in order.

@@ -19,6 +19,8 @@
 //! | [`slips`] | small edits of a display: mutations, and candidate corrections |
 //!
 //! This folder may import [`crate::formula`] and [`crate::source`]. It knows nothing of documents, claims or mechanics.
+//!
+//! Offers [`read_display`], [`read_formula`] and [`typeset`], and what is said of each file above.
 
 #[cfg(feature = "notes")]
 mod arguments;

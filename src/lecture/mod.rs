@@ -17,6 +17,8 @@
 //! | `text` | the lecture on a terminal |
 //!
 //! This folder may know `check`, `derive`, `notes`, and what these know.
+//!
+//! Offers [`Lecture`] and [`Beside`], a printed equation beside the derived one.
 
 mod beside;
 pub mod json;

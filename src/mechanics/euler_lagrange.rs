@@ -1,4 +1,5 @@
-//! The Euler–Lagrange equations d/dt ∂L/∂q̇ᵢ − ∂L/∂qᵢ = 0 of a Lagrangian, by pairs of hyper-dual directions.
+//! The Euler–Lagrange equations d/dt ∂L/∂q̇ᵢ − ∂L/∂qᵢ = 0 of a Lagrangian, and the accelerations that solve them, by pairs of
+//! hyper-dual directions. They run the Lagrangian itself: the library offers them, and tests compare the traced system with them.
 //!
 //! The direction of the motion, (ṫ, q̇, q̈) = (1, v, a), is one of the pair: then the mixed derivative of L with
 //! respect to v̇ᵢ and along the motion *is* d/dt ∂L/∂q̇ᵢ, explicit time dependence included.

@@ -1,4 +1,5 @@
-//! Linear equations with a mass matrix, over any number. A singular or ill-conditioned matrix is an error.
+//! Linear equations with a mass matrix, over any number. A singular or ill-conditioned matrix is an error. The traced system, the
+//! Euler–Lagrange equations and coupled laws solve for accelerations with it.
 //!
 //! Elements of a prime field have no magnitude to choose pivots by. For them there is Cramer's rule, which also keeps
 //! the degrees of the solution low.

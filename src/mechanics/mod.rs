@@ -13,6 +13,8 @@
 //! What needs no Lagrangian: rotations, rotating frames and inertia tensors ([`rigid_body`]), and integrals over bodies
 //! ([`quadrature`]).
 //!
+//! Offers what is listed above, and [`LinearSolver`].
+//!
 //! # Example: simulate a top from its Lagrangian
 //!
 //! The heavy symmetric top has the Euler angles φ, θ, ψ as coordinates. L depends on neither φ, ψ nor the time, so p_φ,

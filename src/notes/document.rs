@@ -53,9 +53,12 @@ impl Notes {
         };
         let source = read_text(path, shown_as)?;
         if source.text.trim_start_matches('\u{feff}').trim().is_empty() {
-            return Err(Error::new(format!("{shown_as} is empty"))
-                .with_code(Code::NotesFile)
-                .help("it has no equations to check"));
+            return Err(Error::new(format!("{shown_as} is empty")).with_code(Code::NotesFile).help(
+                match format.kind {
+                    Kind::Markdown => "write an equation between $$ and $$",
+                    Kind::Tex => "write an equation between \\[ and \\], or in an environment such as equation",
+                },
+            ));
         }
         let view = (format.view)(&source, path)?;
         let mut notes = Notes::parse(view.source, format.kind)?;

@@ -28,6 +28,11 @@ pub(super) fn read_text(path: &Path, shown_as: &str) -> Result<Arc<Source>> {
             .help("split the file"));
     }
     let bytes = std::fs::read(path).map_err(failed)?;
+    let is_utf16 = matches!(bytes.as_slice(), [0xff, 0xfe, ..] | [0xfe, 0xff, ..]);
+    // No text has a character with the number 0.
+    if !is_utf16 && bytes.contains(&0) {
+        return Err(Error::new(format!("{shown_as} is not a text file")).help("name the file with the notes"));
+    }
     let encoding = match bytes.as_slice() {
         [0xff, 0xfe, ..] => Encoding::Utf16Little,
         [0xfe, 0xff, ..] => Encoding::Utf16Big,

@@ -9,6 +9,8 @@
 //! LaTeX formulas, mechanics or verdicts.
 //!
 //! Reading takes time linear in the size of a file, and does not recurse on its nesting.
+//!
+//! Offers these three, and what finds a display in a text.
 
 pub(crate) mod address;
 pub(crate) mod claims;

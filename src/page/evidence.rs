@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use super::{badge, equation_anchor, typeset};
+use crate::check::verdict::finding::Compared;
 use crate::check::{Document, Equation, Verdict};
 use crate::formula::text::number;
 use crate::notes::{Display, MacroDefinition};
@@ -37,8 +38,7 @@ pub(super) fn evidence(
     prefix: &str,
 ) -> Markup {
     let finding = &item.finding;
-    let said = diagnostic::evidence(finding);
-    let notes = said.iter().filter(|note| !note.starts_with("at ") && !note.starts_with("left side "));
+    let notes = diagnostic::remarks(finding);
     html! {
         p { (capital(&finding.message)) "." }
         (rests_on(item, document, prefix))
@@ -97,6 +97,7 @@ fn counterexample(item: &Equation, macros: &[MacroDefinition]) -> Markup {
         p class="counterexample" {
             b { "A counterexample: " }
             @match (is_short, found.state.is_empty()) {
+                (_, true) if found.compared != Compared::Sides => {}
                 (_, true) => { "at every state" }
                 (true, false) => {
                     "at "
@@ -107,8 +108,13 @@ fn counterexample(item: &Equation, macros: &[MacroDefinition]) -> Markup {
                 }
                 (false, false) => { "at the state below" }
             }
-            " the left side is " (side(found.lhs)) " and the right side is " (side(found.rhs))
-            @if let Some(entry) = &found.entry { " (" (entry) ")" }
+            @match found.compared {
+                Compared::Sides => {
+                    " the left side is " (side(found.lhs)) " and the right side is " (side(found.rhs))
+                    @if let Some(entry) = &found.entry { " (" (entry) ")" }
+                }
+                _ => { @if let Some(said) = diagnostic::compared(found) { " " (said) } }
+            }
             "."
         }
         @if !is_short {

@@ -4,6 +4,8 @@
 //! A page is plain HTML with MathML. It needs no script and loads nothing but its own style sheet. This folder decides
 //! nothing; it shows what [`crate::check`] found. [`pages`] gives the texts, and `cli` writes them. It may know `check`,
 //! `notes`, `report`, `formula` and level 0.
+//!
+//! Offers [`pages`], and `class_pages` for a marked class.
 
 mod beside;
 mod corrections;

@@ -4,6 +4,8 @@
 //! All numbers come from the tapes of [`crate::mechanics::System`]. `trajectory` integrates with error control, `pictures`
 //! and `tops` say what is drawn, `sides` draws the two sides of an equation that is wrong, `figure` draws, and `gallery` is what
 //! suits a system. This folder may know `mechanics`, `formula`, `scalar` and level 0.
+//!
+//! Offers [`picture`] and [`gallery`](fn@gallery), each as text.
 
 mod figure;
 mod gallery;

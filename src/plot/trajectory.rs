@@ -3,6 +3,7 @@
 use differential_equations::prelude::{ExplicitRungeKutta, IVP, ODE};
 use num_dual::Dual;
 
+use crate::formula::text::number;
 use crate::mechanics::System;
 use crate::{Error, Result};
 
@@ -48,38 +49,50 @@ pub fn motion(
 ) -> Result<Vec<Moment>> {
     const POINTS: u32 = 600;
     let motion = Motion { system, parameters };
-    let lost = || {
-        Error::new("the motion cannot be integrated to the end")
+    let n = start.0.len();
+    let lost = |(time, last): (f64, Vec<f64>)| {
+        let (q, v) = last.split_at(n);
+        // At a place without accelerations the cause is known; otherwise the steps became too small or too many.
+        let cause = match system.accelerations(time, q, v, parameters) {
+            Err(error) => error.message().to_owned(),
+            Ok(rates) if rates.iter().any(|rate| !rate.is_finite()) => {
+                "the accelerations are not finite at the state there".to_owned()
+            }
+            Ok(_) => "the error of a step could not be kept small".to_owned(),
+        };
+        Error::new(format!("the integration stopped at t = {}: {cause}", number(time, 4)))
             .help("choose another starting state with --set, or a shorter time with --until")
     };
-    let states = integrated(&motion, [start.0, start.1].concat(), end, POINTS, tolerance).ok_or_else(lost)?;
-    let n = start.0.len();
+    let states = integrated(&motion, [start.0, start.1].concat(), end, POINTS, tolerance).map_err(lost)?;
     let moment = |(time, y): (f64, Vec<f64>)| Moment { time, q: y[..n].to_vec(), v: y[n..].to_vec() };
     Ok(states.into_iter().map(moment).collect())
 }
 
 /// The states at even times. Each stretch ends where a step ends, since what is interpolated between steps is less
-/// accurate than the steps; `None` if the integration ends before.
+/// accurate than the steps.
+///
+/// # Errors
+/// The last time and state, if the integration ends before.
 fn integrated<E: ODE<f64, Vec<f64>>>(
     equation: &E,
     start: Vec<f64>,
     end: f64,
     points: u32,
     tolerance: f64,
-) -> Option<Vec<(f64, Vec<f64>)>> {
+) -> Result<Vec<(f64, Vec<f64>)>, (f64, Vec<f64>)> {
     let time = |k: u32| end * f64::from(k) / f64::from(points);
     let mut states = vec![(0.0, start)];
     for k in 0..points {
-        let (from, state) = states.last()?.clone();
+        let (from, state) = states[states.len() - 1].clone();
         let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance);
-        let solution = IVP::ode(equation, from, time(k + 1), state).method(method).solve().ok()?;
-        let last = solution.y.last()?.clone();
-        if last.iter().any(|x| !x.is_finite()) {
-            return None;
+        let solution = IVP::ode(equation, from, time(k + 1), state.clone()).method(method).solve();
+        let last = solution.ok().and_then(|solution| solution.y.last().cloned());
+        match last.filter(|last| last.iter().all(|x| x.is_finite())) {
+            Some(last) => states.push((time(k + 1), last)),
+            None => return Err((from, state)),
         }
-        states.push((time(k + 1), last));
     }
-    Some(states)
+    Ok(states)
 }
 
 /// ω along the axes of a free body, from a value on, at even times.
@@ -133,6 +146,6 @@ pub fn polhode(system: &System, parameters: &[f64], omega: [f64; 3], end: f64) -
             .help("polhodes are drawn of a free rigid body, such as free_rigid_body")
     };
     let turning = Turning::new(system, parameters).ok_or_else(lost)?;
-    let states = integrated(&turning, omega.to_vec(), end, 160, 1e-9).ok_or_else(lost)?;
+    let states = integrated(&turning, omega.to_vec(), end, 160, 1e-9).map_err(|_| lost())?;
     Ok(states.iter().map(|(_, y)| [y[0], y[1], y[2]]).collect())
 }

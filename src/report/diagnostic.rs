@@ -3,12 +3,14 @@
 use annotate_snippets::{Element, Group, Level, Title};
 
 use crate::Error;
-use crate::check::{Document, Equation, Finding, Part, Verdict};
+use crate::check::verdict::finding::Compared;
+use crate::check::{Counterexample, Document, Equation, Finding, Part};
 use crate::code::Code;
 use crate::formula::text::{number, plain};
 
 use super::code;
 use super::excerpt::{Excerpt, alone};
+use super::headline::{headline, outcome, said};
 use super::style::Style;
 use super::suggestion;
 use super::wrap::{titled, wrap};
@@ -45,10 +47,18 @@ pub(super) fn unexpected(document: &Document, item: &Equation, style: Style) -> 
         (Some(_), true) => {
             format!("({}) is {}, and the claims file expects that it does not pass", item.id, finding.verdict)
         }
-        _ => format!("({}) {}: {}", item.id, outcome(finding, is_read(item, finding)), finding.message),
+        _ => headline(item, finding),
     };
     let code = code::of_finding(finding);
-    let title: Title<'_> = Level::ERROR.primary_title(titled("error", code, &message, style)).id(code);
+    // What the author leaves out is no mistake; it is as expected only if the claims file says so.
+    let (level, word) = match finding.code {
+        Code::Skipped => (Level::WARNING, "warning"),
+        _ => (Level::ERROR, "error"),
+    };
+    if finding.code == Code::Skipped && item.because.is_none() {
+        notes.push("if this is intended, add \"expect\": \"unclaimed\" and \"because\" beside \"skip\"".to_owned());
+    }
+    let title: Title<'_> = level.primary_title(titled(word, code, &message, style)).id(code);
     let notes = notes.iter().map(|note| below(Level::NOTE, note, style)).collect();
     let first = Excerpt::of(source, finding.span).marked(title, notes, style);
     std::iter::once(first).chain(suggestion::all(document, item, style)).collect::<Vec<_>>().join("\n\n")
@@ -67,27 +77,10 @@ pub(super) fn warning(document: &Document, item: &Equation, style: Style) -> Opt
 /// One more part of an equation that is not as expected.
 fn another(document: &Document, item: &Equation, at: usize, finding: &Finding, first: &Finding) -> String {
     let (line, column) = document.source.line_column(finding.span.start);
-    let outcome = outcome(finding, is_read(item, finding));
-    let name = format!("part {} of {}, at {line}:{column}, {outcome}", at + 1, item.parts.len());
-    if finding.message == first.message { format!("{name} too") } else { format!("{name}: {}", finding.message) }
-}
-
-/// Whether the text that a finding is about was read, so that its reading can be shown.
-fn is_read(item: &Equation, finding: &Finding) -> bool {
-    let part = item.parts.iter().find(|part| std::ptr::eq(&part.finding, finding));
-    // A formula whose shapes or indices do not fit has no reading, but each part of it was read.
-    let fits = !matches!(finding.code, Code::ShapeMismatch | Code::IndexMismatch);
-    !fits || !part.map_or(&item.reading, |part| &part.reading).is_empty()
-}
-
-/// The verdict as a predicate. What is `unreadable` was not read, or was read and cannot be evaluated.
-fn outcome(finding: &Finding, is_read: bool) -> String {
-    match (finding.verdict, is_read) {
-        // A second print that lacks something has nothing to read there.
-        (Verdict::Unreadable, _) if finding.code == Code::LostInPrint => "is not printed in full".to_owned(),
-        (Verdict::Unreadable, true) => "was read, but cannot be checked".to_owned(),
-        (Verdict::Unreadable, false) => "could not be read".to_owned(),
-        (verdict, _) => format!("is {verdict}"),
+    let name = format!("part {} of {}, at {line}:{column},", at + 1, item.parts.len());
+    match finding.message == first.message {
+        true => format!("{name} {} too", outcome(item, finding)),
+        false => format!("{name} {}", said(item, finding)),
     }
 }
 
@@ -100,16 +93,46 @@ fn below<'a>(level: Level<'a>, text: &str, style: Style) -> Element<'a> {
 ///
 /// No-break spaces hold each symbol and its value together.
 pub fn evidence(finding: &Finding) -> Vec<String> {
+    let mut notes = values(finding);
+    notes.extend(remarks(finding));
+    notes
+}
+
+/// The state of a counterexample, and the values there.
+fn values(finding: &Finding) -> Vec<String> {
     let Some(counterexample) = &finding.counterexample else { return Vec::new() };
     let state = counterexample.state.iter();
     let state: Vec<String> =
         state.map(|(name, value)| format!("{}\u{a0}=\u{a0}{}", plain(name), number(*value, 5))).collect();
-    let entry = counterexample.entry.as_ref().map(|entry| format!(" ({entry})")).unwrap_or_default();
-    let mut notes = vec![format!("at {}", if state.is_empty() { "every state".to_owned() } else { state.join(", ") })];
+    let mut notes = match (state.is_empty(), counterexample.compared) {
+        (true, Compared::Sides) => vec!["at every state".to_owned()],
+        (true, _) => Vec::new(),
+        (false, _) => vec![format!("at {}", state.join(", "))],
+    };
     // The message of what is not conserved gives its rate.
     if finding.code != Code::NotConserved {
-        notes.push(format!("{}{entry}", sides(counterexample.lhs, counterexample.rhs)));
+        notes.extend(compared(counterexample));
     }
+    notes
+}
+
+/// The two values of a counterexample in words.
+pub fn compared(counterexample: &Counterexample) -> Option<String> {
+    let Counterexample { lhs, rhs, .. } = counterexample;
+    let entry = counterexample.entry.as_ref().map(|entry| format!(" ({entry})")).unwrap_or_default();
+    match counterexample.compared {
+        Compared::Sides => Some(format!("{}{entry}", sides(*lhs, *rhs))),
+        Compared::Counts(what) => Some(format!("found: {lhs} {what}; claimed: {rhs}")),
+        Compared::AtAPlace => Some(format!("found {}, compared with {}", number(*lhs, 7), number(*rhs, 7))),
+        Compared::Nothing => None,
+    }
+}
+
+/// What the two sides of a finding differ by, and what was derived; one line each.
+pub fn remarks(finding: &Finding) -> Vec<String> {
+    let Some(counterexample) = &finding.counterexample else { return Vec::new() };
+    let entry = counterexample.entry.as_ref().map(|entry| format!(" ({entry})")).unwrap_or_default();
+    let mut notes: Vec<String> = Vec::new();
     notes
         .extend(finding.difference.as_ref().map(|formula| format!("left side − right side = {}{entry}", formula.text)));
     notes.extend(finding.derived.as_ref().map(|formula| format!("derived: {}", formula.text)));

@@ -59,7 +59,11 @@ pub fn hint(marked: &Marked, line: &Line, hints: Hints) -> String {
     let slip = line.slip.as_ref();
     let mut text = "look at this line".to_owned();
     if hints.0 >= 2 {
-        let kind = slip.map_or("no single slip explains it", |slip| kind(slip.lost));
+        let kind = match (slip, correction(marked, line)) {
+            (None, _) => "no single mistake explains it",
+            (Some(slip), Some((is, _))) if slip.lost == Lost::Function && is.is_empty() => "a function is missing",
+            (Some(slip), _) => kind(slip.lost),
+        };
         text += &format!(": {kind}");
     }
     if hints.0 >= 3 {
@@ -218,7 +222,8 @@ pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
         }
         if !marked.letters.is_empty() {
             let letters: Vec<String> = marked.letters.iter().map(|(own, other)| format!("{own} for {other}")).collect();
-            out += &(wrap("  letters: ", &letters.join(", "), 4, style.width) + "\n");
+            out += &(wrap("  letters taken as: ", &format!("{} (please check)", letters.join(", ")), 4, style.width)
+                + "\n");
         }
         if hints.0 == 0 {
             let said =
@@ -231,7 +236,8 @@ pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
             out += &(wrap("  missing: ", &called(result), 4, style.width) + "\n");
         }
         if marked.lines.is_empty() && marked.fault.is_none() {
-            out += "  there is no equation in this file\n";
+            let said = "no formula was found in this file; write each formula between $ … $ or $$ … $$";
+            out += &(wrap("  ", said, 4, style.width) + "\n");
         }
         out.push('\n');
     }
@@ -245,7 +251,12 @@ pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
         let points = format!("{}/{}", number(marked.got()), number(marked.points()));
         let (right, wrong, carried) =
             (marked.count(Mark::Right), marked.count(Mark::Wrong), marked.count(Mark::Carried));
-        let open = if marked.is_open() { "  (look: something was not read)" } else { "" };
+        let open = match marked.count(Mark::Unread) + marked.count(Mark::Open) + usize::from(marked.fault.is_some()) {
+            _ if !marked.is_open() => String::new(),
+            0 => "  (check it by hand)".to_owned(),
+            1 => "  (1 line was not marked; check it by hand)".to_owned(),
+            count => format!("  ({count} lines were not marked; check them by hand)"),
+        };
         out += &format!(
             "{:width$}  {points:>7}  {right:>5}  {wrong:>5}  {carried:>7}  {missing:>7}{open}\n",
             marked.student
@@ -263,12 +274,22 @@ fn marked_lines(marked: &Marked, hints: Hints, style: Style, out: &mut String) {
         let mut notes = Vec::new();
         match line.mark {
             Mark::Right if line.because == Because::Follows => {}
+            Mark::Given => notes.push(format!("not marked: this line {}", line.because)),
+            Mark::Unread => notes.push(format!("{}: {}; mark this line by hand", line.mark.word(), line.because)),
             _ => notes.push(format!("{}: {}", line.mark.word(), line.because)),
         }
         if let (Some(at), Some(credit)) = (line.result, line.credit) {
             let result = &marked.results[at];
-            let how =
-                if result.reached == Reached::Yes { String::new() } else { format!(", {}", result.reached.word()) };
+            let how = match result.reached {
+                Reached::Yes => String::new(),
+                // With a name, the words before stand between commas.
+                Reached::WithSlip => {
+                    let comma = if result.name.is_some() { "," } else { "" };
+                    let what = if line.mark == Mark::Carried { "builds on a mistake" } else { "has a mistake" };
+                    format!("{comma} {what}")
+                }
+                reached => format!(", {}", reached.word()),
+            };
             notes.push(format!("result {}{how}: {} of {}", called(result), number(credit), number(result.points)));
         }
         if line.mark == Mark::Wrong {

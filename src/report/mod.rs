@@ -5,6 +5,8 @@
 //! formulas, each as JSON too ([`json`]), whose schema is in [`schema`]; [`diagnostic`] one error, and
 //! [`explain`] a verdict or a code. A [`Style`] says how wide a line may be. It may know `check`, `formula`, `source`,
 //! `error` and `code`; nothing but `cli` and `testing` may know it.
+//!
+//! Offers a function in each file that gives a text or a JSON value.
 
 pub mod answer;
 pub mod code;
@@ -12,6 +14,7 @@ mod crop;
 pub mod diagnostic;
 mod excerpt;
 pub mod explain;
+mod headline;
 pub mod json;
 pub mod marks;
 pub mod mutants;

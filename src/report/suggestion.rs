@@ -2,7 +2,7 @@
 
 use annotate_snippets::{Element, Group, Level};
 
-use crate::check::{Document, Equation, Fit, Misfit, Repair, Shared, Verdict};
+use crate::check::{Document, Equation, Fit, Misfit, Repair, Shared, Slip, Verdict};
 use crate::source::{Source, Span};
 
 use super::excerpt::{Excerpt, Mark, alone};
@@ -44,6 +44,11 @@ pub fn repair(repair: &Repair, first: bool, source: &Source, style: Style) -> St
     };
     let (old, new) = (quoted(source.slice(repair.span)), quoted(&repair.replacement));
     let change = match (old.as_str(), new.as_str()) {
+        // A factor is put in with the space that parts it from the next.
+        ("", new) if repair.slip == Slip::Factor => {
+            let factor = new.trim().trim_start_matches(r"\,").trim_end_matches(r"\,").trim();
+            format!("to multiply by “{factor}”")
+        }
         ("", new) => format!("to add “{new}”"),
         (old, "") => format!("to leave out “{old}”"),
         (old, new) => format!("“{new}” in place of “{old}”"),
@@ -51,16 +56,17 @@ pub fn repair(repair: &Repair, first: bool, source: &Source, style: Style) -> St
     let asked = if first { "did you mean" } else { "or did you mean" };
     let then = match (&repair.shared, repair.step) {
         (Some(Shared { of, mends }), _) if mends.contains(of) => {
-            format!("With this edit of ({of}), {} would hold", listed(mends, "and"))
+            let hold = if mends.len() == 1 { "holds" } else { "hold" };
+            format!("With this edit of ({of}), {} {hold}", listed(mends, "and"))
         }
         (Some(Shared { of, mends }), _) => match mends.as_slice() {
-            [one] => format!("({one}) uses ({of}); with this edit of ({of}), it would be {}", repair.verdict),
-            _ => format!("{} use ({of}); with this edit of ({of}), all of them would hold", listed(mends, "and")),
+            [one] => format!("({one}) uses ({of}); with this edit of ({of}), it is {}", repair.verdict),
+            _ => format!("{} use ({of}); with this edit of ({of}), all of them hold", listed(mends, "and")),
         },
-        (None, true) => format!("This step would be {}; the rest of the chain needs an edit as well", repair.verdict),
-        (None, false) if repair.verdict == Verdict::Definition => "The document would pass".to_owned(),
-        (None, false) if repair.verdict == Verdict::Assumed => "The dimensions would fit".to_owned(),
-        (None, false) => format!("It would be {}", repair.verdict),
+        (None, true) => "Then this step passes, but a later step of the chain still fails".to_owned(),
+        (None, false) if repair.verdict == Verdict::Definition => "Then the document passes".to_owned(),
+        (None, false) if repair.verdict == Verdict::Assumed => "Then the dimensions fit".to_owned(),
+        (None, false) => format!("Then the equation is {}", repair.verdict),
     };
     let title = Level::HELP.secondary_title(titled("help", "", &format!("{asked} {change}? {then}"), style));
     Excerpt::of(source, repair.span).replaced(title, repair.span, &repair.replacement, style)

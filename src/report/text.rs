@@ -54,6 +54,9 @@ pub fn report(report: &Report, verbose: bool, style: Style) -> String {
     }
     text.push_str(&wrap("", &summary(report), INDENT, style.width));
     text.push('\n');
+    if !verbose && let Some(line) = left_open(report) {
+        text.push_str(&(wrap("", &line, INDENT, style.width) + "\n"));
+    }
     text.push_str(&codes_hint(codes, style));
     text
 }
@@ -86,7 +89,14 @@ fn is_untested(item: &Equation) -> bool {
     item.ok && item.because.is_none() && item.finding.verdict == Verdict::Undecided
 }
 
-/// A document in one line; below it what is wrong because something else is.
+/// Whether it was not decided or not read, and nothing says that this was expected.
+fn is_open(item: &Equation) -> bool {
+    let verdict = item.finding.verdict;
+    let is_open = matches!(verdict, Verdict::Undecided | Verdict::Unreadable | Verdict::Unclaimed);
+    item.ok && item.because.is_none() && is_open && !is_untested(item)
+}
+
+/// A document in one line; below it what is wrong because something else is, and what is not well-formed.
 fn counted(document: &Document, style: Style) -> String {
     // What is as it should be comes first, and then the best verdict.
     let mut counts: BTreeMap<(bool, bool, usize), (Verdict, usize)> = BTreeMap::new();
@@ -116,7 +126,9 @@ fn counted(document: &Document, style: Style) -> String {
     let line = format!("{}{unnumbered}", told.join(", "));
     let mut text = wrap(&format!("{}: ", document.path), &line, INDENT, style.width) + "\n";
     let width = number_width(document);
-    for item in items(document).filter(|item| !item.ok && item.finding.follows_from.is_some()) {
+    let follows = |item: &&Equation| !item.ok && item.finding.follows_from.is_some();
+    let is_malformed = |item: &&Equation| is_open(item) && item.finding.code == Code::Syntax;
+    for item in items(document).filter(|item| follows(item) || is_malformed(item)) {
         text.push_str(&self::line(item, width, style));
     }
     text
@@ -153,6 +165,7 @@ fn listed(document: &Document, style: Style) -> String {
 /// How many have a verdict.
 fn count(count: usize, verdict: Verdict) -> String {
     let plural = match verdict {
+        Verdict::Domain => return format!("{count}\u{a0}with a restricted domain"),
         Verdict::Definition | Verdict::Law if count != 1 => "s",
         _ => "",
     };
@@ -178,6 +191,22 @@ fn unaided_counts(items: &[&Equation]) -> Vec<String> {
     .collect()
 }
 
+/// How many displays without a claims file were not decided or not read, and how to see which.
+fn left_open(report: &Report) -> Option<String> {
+    let open: Vec<&Equation> =
+        report.documents.iter().filter(|one| one.is_guessed).flat_map(items).filter(|item| is_open(item)).collect();
+    let count = |wanted: fn(&Verdict) -> bool| open.iter().filter(|item| wanted(&item.finding.verdict)).count();
+    let undecided = count(|verdict| *verdict == Verdict::Undecided);
+    let said = |count: usize, what: &str| {
+        let (display, was) = if count == 1 { ("display", "was") } else { ("displays", "were") };
+        (count > 0).then(|| format!("{count} {display} {was} not {what}"))
+    };
+    let said: Vec<String> =
+        [said(open.len() - undecided, "read"), said(undecided, "decided")].into_iter().flatten().collect();
+    let them = if open.len() == 1 { "see why" } else { "list them" };
+    (!said.is_empty()).then(|| format!("{}; {them} with --verbose", said.join(" and ")))
+}
+
 /// How a display without a number is checked.
 const TO_NAME: &str = "number it with \\tag, or name it under \"equations\" by a part of its LaTeX in backticks";
 
@@ -200,6 +229,8 @@ fn line(item: &Equation, width: usize, style: Style) -> String {
     // What is taken for granted was not checked.
     let mark = match item.ok {
         true if finding.verdict == Verdict::Assumed || is_untested(item) => "·",
+        // Nothing was found wrong in it, and it was not tested either.
+        true if is_open(item) => "?",
         true => "✓",
         false => "✗",
     };

@@ -16,6 +16,8 @@
 //! for.
 //!
 //! This folder imports the crate's error type, and knows nothing of mechanics, formulas or files.
+//!
+//! Offers these numbers and [`Number`], what every one of them can do.
 
 pub use num_dual::DualNum;
 

@@ -6,6 +6,8 @@
 //!
 //! This folder imports `mechanics` and `scalar`.
 //!
+//! Offers [`Registry`] and each system.
+//!
 //! # Why a system contains no closed form
 //!
 //! Otherwise a check would compare a formula with its copy. The top starts from R = R_z(ψ) R_y(θ) R_z(φ). ω follows

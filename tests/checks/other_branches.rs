@@ -108,10 +108,25 @@ fn the_condition_is_named_and_with_it_the_claim_passes() {
     let definitions = json!({ r"\varphi": r"\arctan\frac{y}{x}", "r": r"\sqrt{x^2 + y^2}" });
     let claims = json!({ "constants": { "x, y": "any" }, "define": definitions });
     let found = equation(&claims, &[r"x = r\cos\varphi"], assuming(&[])).finding;
-    assert!(found.message.starts_with("holds where x > 0; elsewhere another branch of arctan(y/x)"), "{found:?}");
+    let said = "holds on one branch only, because arctan(y/x) lies between −π/2 and π/2; it holds at the ";
+    assert!(found.message.starts_with(said), "{found:?}");
+    assert!(found.message.ends_with(" sampled states with x > 0, and fails at others"), "{found:?}");
     assert!(found.counterexample.is_some());
     assert!(equation(&claims, &[r"x = r\cos\varphi"], assuming(&["x > 0"])).finding.verdict.holds());
     assert_eq!(equation(&claims, &[r"x = r\cos\varphi"], assuming(&["x < 0"])).finding.verdict, Refuted);
+}
+
+#[test]
+fn a_condition_that_is_not_proved_is_said_of_the_sampled_states_only() {
+    // arctan(tan x) = x fails at x = π + 0.5, where x > 0 and tan x > 0.
+    let claims = json!({ "constants": { "x": "any" } });
+    let found = equation(&claims, &[r"\arctan(\tan x) = x"], assuming(&[])).finding;
+    assert_eq!((found.verdict, found.code.word()), (Domain, "one-branch"), "{found:?}");
+    assert!(found.message.contains("arctan(tan(x)) lies between −π/2 and π/2"), "{found:?}");
+    assert!(!found.message.contains("holds where"), "{found:?}");
+    assert!(found.counterexample.is_some());
+    // must-fail case: a slip holds on no branch
+    assert_eq!(equation(&claims, &[r"\arctan(\tan x) = 2 x"], assuming(&[])).finding.verdict, Refuted);
 }
 
 /// True statements without definitions, in the ranges of [`beside`].

@@ -115,8 +115,10 @@ fn eval_refuses_rather_than_guess() {
         (r"\sqrt{x}", vec!["x=-1"], "no real value"),
         (r"10^{400}", vec![], "no real value"),
         (r"x", vec!["x=1e400"], "too large"),
-        (r"x", vec!["x"], "sets nothing: it is not NAME=VALUE"),
-        (r"x", vec!["x=seven"], "sets nothing: it is not NAME=VALUE"),
+        (r"x", vec!["x"], "--set x does not have the form NAME=VALUE"),
+        (r"x", vec!["x=seven"], "“seven” is not a number in --set x=seven"),
+        (r"x", vec!["x=NaN"], "“NaN” is not a number in --set x=NaN"),
+        (r"x", vec!["+=1"], "“+” is not a name in --set +=1"),
         (r"a/bc", vec!["a=1", "b=1", "c=1"], "a/bc may be a/(bc) or (a/b)c"),
         (r"\foo x", vec!["x=1"], r"\foo"),
         (r"", vec![], "missing"),
@@ -150,7 +152,7 @@ fn read_points_at_what_it_does_not_understand() {
     for (formula, place, word) in [
         (r"a + \foo b", "1:5", r"\foo"),
         ("a + + b", "1:3", "two signs"),
-        (r"a = b/cd", "1:7", "a/bc may be a/(bc) or (a/b)c"),
+        (r"a = b/cd", "1:7", "b/cd may be b/(cd) or (b/c)d"),
     ] {
         let run = desk.onshell(&["read", formula]);
         assert_eq!(run.code, 2, "{formula}: {}", run.out);

@@ -203,3 +203,18 @@ fn letters_of_the_problem_do_not_change_places_among_themselves() {
     let lines = "$$ v(t) = v_0 e^{-\\beta t/M} $$\n\n$$ t_h = \\frac{M}{\\beta} \\ln 2 $$\n";
     assert_eq!(marks("own", problem, lines), ["right", "right"]);
 }
+
+#[test]
+fn a_letter_with_a_hat_stands_for_no_number() {
+    const PENDULUM: (&str, &str) = (
+        "$$ L = \\frac12 m l^2 \\dot\\theta^2 + m g l \\cos\\theta \\tag{1} $$\n\n$$ l \\ddot\\theta = -g \\sin\\theta \\tag{2} $$\n",
+        r#"{ "notes": "p.md", "coordinates": { "\\theta": "angle" }, "constants": { "m, l, g": "> 0" },
+            "means": { "L": "Lagrangian" }, "rubric": { "results": { "2": 1 } } }"#,
+    );
+    let of = |name: &str, angle: &str| {
+        let lines = format!("$$ l \\ddot{{{angle}}} = -g \\sin {angle} $$\n");
+        marks(name, PENDULUM, &lines)[0].clone()
+    };
+    assert_eq!(of("other-letter", "\\phi"), "right");
+    assert_ne!(of("hat", "\\hat H"), "right");
+}

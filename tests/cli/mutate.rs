@@ -203,7 +203,7 @@ fn where_there_is_nothing_to_mutate_the_exit_code_is_2() {
     nothing.write("alone.md", SQUARE);
     let run = nothing.onshell(&["mutate", "."]);
     assert_eq!(run.code, 2, "{}{}", run.out, run.err);
-    assert!(run.err.contains("there is no equation to mutate"), "{}", run.err);
+    assert!(run.err.contains("alone.md has no claims file, so nothing in it can be mutated"), "{}", run.err);
     nothing.write("alone.json", "{ \"notes\": \"alone.md\", \"constants\": {} }");
     // The names are not declared: the equation does not pass, so none of its slips is made.
     let run = nothing.onshell(&["mutate", "alone.json"]);

@@ -88,7 +88,7 @@ fn a_step_of_a_chain_is_offered_and_left_to_the_author() {
     assert_eq!((run.code, desk.read("notes.md")), (1, chain.to_owned()));
     for wanted in [
         "the rest of the chain follows from this mistake",
-        "This step would be certified; the rest of the chain needs an edit as well",
+        "Then this step passes, but a later step of the chain still fails",
     ] {
         assert!(run.out.contains(wanted), "no “{wanted}” in:\n{}", run.out);
     }

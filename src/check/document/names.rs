@@ -61,6 +61,9 @@ pub(crate) fn is_wrong(equation: &Equation) -> bool {
     wrong(equation.finding.verdict) || equation.parts.iter().any(|part| wrong(part.finding.verdict))
 }
 
+/// The most symbols that an error lists.
+const MOST_LISTED: usize = 12;
+
 /// A symbol named in the claims file.
 pub(crate) fn symbol(claims: &Claims, model: &Model, latex: &Spanned<String>) -> Result<SymbolId> {
     let name = names::parse(&latex.value).filter(|(_, dots)| *dots == 0).map(|(name, _)| name);
@@ -72,8 +75,13 @@ pub(crate) fn symbol(claims: &Claims, model: &Model, latex: &Spanned<String>) ->
             .with_code(Code::UndeclaredName)
             .lacking(Some(Missing::Name(latex.value.clone())));
         let add = declaration(latex.value.trim(), 0);
+        let known: Vec<String> =
+            model.symbols.iter().filter(|(_, entry)| !entry.hidden).map(|(id, _)| model.name(id)).collect();
         match name.and_then(|name| model.symbols.nearest(&name)) {
             Some(near) => error.help(format!("did you mean {near}? If not, {add}")),
+            None if (1..=MOST_LISTED).contains(&known.len()) => {
+                error.help(format!("the declared symbols are {}; for another one, {add}", known.join(", ")))
+            }
             None => error.help(add),
         }
     })

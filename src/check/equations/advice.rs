@@ -85,8 +85,8 @@ impl Checker<'_> {
         };
         let name = text::plain(&self.model.name(id));
         let message = format!(
-            "{}; {name} is declared in the claims file, and nothing determines it: remove its declaration if this defines \
-             {name}, or put this under \"laws\" if it is taken for granted",
+            "{}; {name} is declared, so this equation does not define it; remove the declaration of {name}, or list this \
+             equation under \"laws\"",
             finding.message
         );
         Finding { message, ..finding }

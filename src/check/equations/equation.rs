@@ -189,8 +189,12 @@ impl Checker<'_> {
         };
         let reading = meant.as_ref().unwrap_or(reading);
         if let Some(reason) = &claim.skip {
-            let finding =
-                Finding::new(Code::Skipped, Verdict::Unclaimed, Span::at(offset), format!("skipped: {}", reason.value));
+            let finding = Finding::new(
+                Code::Skipped,
+                Verdict::Unclaimed,
+                Span::at(offset),
+                format!("the claims file leaves it out: {}", reason.value),
+            );
             return Ok(vec![self.part(finding, String::new())]);
         }
         let hypotheses = self.hypotheses(claim)?;

@@ -62,6 +62,7 @@ fn rank(verdict: Verdict) -> usize {
 
 /// The merged finding of the parts of an equation.
 pub(crate) fn worst(parts: &[Part]) -> Finding {
-    merged(parts.iter().map(|part| part.finding.clone()).collect())
-        .unwrap_or_else(|| Finding::new(Code::NoClaim, Verdict::Unclaimed, Span::default(), "nothing is claimed"))
+    merged(parts.iter().map(|part| part.finding.clone()).collect()).unwrap_or_else(|| {
+        Finding::new(Code::NoClaim, Verdict::Unclaimed, Span::default(), "no claim is made; add one in the claims file")
+    })
 }

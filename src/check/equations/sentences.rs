@@ -20,7 +20,7 @@ use crate::check::kinds::{conserved, exactly_when, limit};
 use crate::check::model::claim::{Link, is_equality};
 use crate::check::model::order;
 use crate::check::model::sampling::Spread;
-use crate::check::sample::context::Context;
+use crate::check::sample::context::{Context, NO_EQUALITY};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::Equation;
@@ -145,8 +145,8 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
             for (variable, shape) in shapes(checker, sentence, property)? {
                 findings.push(function_shape::check(&function, variable, &shape, context));
             }
-            let finding = merged(findings)
-                .unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, "the sentence claims nothing"));
+            let finding =
+                merged(findings).unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, NO_CLAIM));
             Ok((finding, format!("{} of {words}", property_words(property))))
         }
         Test::Solutions { count, of, unknown } => {
@@ -160,13 +160,16 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
     }
 }
 
+/// The message of a sentence without a claim.
+const NO_CLAIM: &str = "this sentence has no claim; add a key such as \"conserved\"";
+
 /// The finding that a claim does not always hold, from the finding on the claim.
 fn not_always(found: Finding) -> Finding {
     match found.verdict {
         Verdict::Refuted => {
             let message = "the claim does not always hold: there is a counterexample";
             Finding {
-                not_certified_because: Some("a counterexample in numbers".into()),
+                not_certified_because: Some(NO_EQUALITY.into()),
                 ..found.replaced(Code::NotAlways, Verdict::Verified, message)
             }
         }
@@ -205,7 +208,7 @@ fn refers_to(
     let finding = match checker.display(number) {
         Some(reading) if contains(reading) => {
             let message = format!("({}) contains {words}", number);
-            Finding { points: 1, tried: 1, ..context.verified(message, "what a text refers to") }
+            Finding { points: 1, tried: 1, ..context.verified(message, NO_EQUALITY) }
         }
         found => {
             let others = match holders.as_slice() {
@@ -302,8 +305,7 @@ fn claim(
             findings.push(conserved::check(last, context)?);
         }
     }
-    Ok(merged(findings)
-        .unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, "the sentence claims nothing")))
+    Ok(merged(findings).unwrap_or_else(|| context.finding(Code::NoClaim, Verdict::Unclaimed, NO_CLAIM)))
 }
 
 /// A function given by the number of an equation (its last member) or by LaTeX.

@@ -133,7 +133,17 @@ impl Checker<'_> {
                 let message = "\"also equals\" only repeats the definition, so nothing is checked";
                 context.finding(Code::Circular, Verdict::Undecided, message)
             }
-            false => identity::check(&link, context)?,
+            false => {
+                let finding = identity::check(&link, context)?;
+                match finding.verdict {
+                    Verdict::Refuted => {
+                        let would_hold = finding.mutant.clone().unwrap_or_default();
+                        let message = format!("the printed formula and \"also equals\" differ{would_hold}");
+                        Finding { message, ..finding }
+                    }
+                    _ => finding,
+                }
+            }
         };
         let shown =
             text::formula(&link.lhs, &self.model.symbols) + " = " + &text::formula(&link.rhs, &self.model.symbols);

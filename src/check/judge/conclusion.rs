@@ -1,21 +1,25 @@
 //! The finding on a claim from its outcome at all states.
 
 use crate::code::Code;
-use crate::formula::{Expr, Node, Relation};
+use crate::formula::{Expr, Node, Relation, text};
 
 use crate::check::judge::at_states::AtStates;
 use crate::check::judge::mutants::{Mutant, mutants_of};
 use crate::check::model::Model;
-use crate::check::model::claim::Law;
+use crate::check::model::claim::{Law, Link};
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::outcome::Outcome;
 use crate::check::sample::setting::FEWEST;
+use crate::check::sample::without_value;
 use crate::check::state::counterexample::counterexample;
-use crate::check::state::residual::Point;
+use crate::check::state::residual::{Failure, Point};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
+
+/// The most characters of an inequality that is quoted.
+const LONGEST: usize = 60;
 
 /// The finding on a claim: a failure first, then sides that are not both defined, then too little evidence.
 pub(crate) fn conclude(
@@ -32,7 +36,7 @@ pub(crate) fn conclude(
         ..context.finding(code, verdict, message)
     };
     if let Some((failure, at)) = &outcome.failure {
-        let (code, message) = refutation(link.relation, failure.entry.as_deref(), context, ensemble.mode.on_shell);
+        let (code, message) = refutation(link, failure, context, ensemble.mode.on_shell);
         let mut finding = evidence(code, Verdict::Refuted, message);
         finding.max_residual = Some(failure.residual);
         finding.counterexample = Some(counterexample(link, &ensemble.states[*at], failure));
@@ -56,11 +60,18 @@ pub(crate) fn conclude(
         return evidence(Code::WithinRounding, Verdict::Undecided, message);
     }
     if outcome.points < FEWEST.min(context.options.points) {
-        let advice = match [&link.lhs, &link.rhs].iter().any(|side| has_quadrature(side, context.model)) {
-            true => "at the others an integral could not be computed, which may have no finite value",
-            false => "narrow the ranges (for example, assume v < c)",
+        let counts = (outcome.points, ensemble.tried);
+        let message = match [&link.lhs, &link.rhs].iter().any(|side| has_quadrature(side, context.model)) {
+            true => format!(
+                "only {} of {} sampled states gave a number; at the others an integral could not be computed, which may have \
+                 no finite value",
+                counts.0, counts.1
+            ),
+            false => {
+                let part = without_value::part(&[&link.lhs, &link.rhs], &ensemble.states);
+                without_value::message(counts, part.as_ref(), context.model)
+            }
         };
-        let message = format!("only {} of {} sampled states gave a number; {advice}", outcome.points, ensemble.tried);
         return evidence(Code::TooFewStates, Verdict::Undecided, message);
     }
     evidence(Code::Holds, Verdict::Verified, confirmation(context, ensemble.mode.on_shell))
@@ -85,7 +96,8 @@ fn has_quadrature(formula: &Expr, model: &Model) -> bool {
 }
 
 /// The code and the message of a claim that fails, with the entry at which it fails if it has several.
-fn refutation(relation: Relation, entry: Option<&str>, context: &Context<'_>, on_shell: bool) -> (Code, String) {
+fn refutation(link: &Link, failure: &Failure, context: &Context<'_>, on_shell: bool) -> (Code, String) {
+    let entry = failure.entry.as_deref();
     let laws = Law::phrases(&context.model.laws);
     let circumstances = match (on_shell, laws.is_empty(), context.has_hypotheses()) {
         (false, _, false) => String::new(),
@@ -95,9 +107,22 @@ fn refutation(relation: Relation, entry: Option<&str>, context: &Context<'_>, on
         (true, false, false) => format!(" at a state that obeys {laws}"),
         (true, false, true) => format!(" at a state that obeys {laws} and its hypotheses"),
     };
-    if !matches!(relation, Relation::Equal | Relation::Identical) {
+    if !matches!(link.relation, Relation::Equal | Relation::Identical) {
         let at = entry.map_or_else(String::new, |entry| format!(", at {entry}"));
-        return (Code::InequalityFails, format!("“{}” fails{circumstances}{at}", relation.glyph()));
+        let symbols = &context.model.symbols;
+        let (left, right) = (text::formula(&link.lhs, symbols), text::formula(&link.rhs, symbols));
+        let shown = match left.chars().count() + right.chars().count() > LONGEST {
+            true => format!("this “{}”", link.relation.glyph()),
+            false => format!("{left} {} {right}", link.relation.glyph()),
+        };
+        let way_out = match link.relation {
+            _ if failure.lhs != failure.rhs => "",
+            Relation::Less => "; the two sides are equal there: write ≤, or exclude this state with \"assume\"",
+            Relation::Greater => "; the two sides are equal there: write ≥, or exclude this state with \"assume\"",
+            Relation::NotEqual => "; the two sides are equal there: exclude this state with \"assume\"",
+            _ => "",
+        };
+        return (Code::InequalityFails, format!("{shown} is false{circumstances}{at}{way_out}"));
     }
     let message = match (on_shell && !laws.is_empty(), entry) {
         (true, entry) => {

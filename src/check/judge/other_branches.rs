@@ -5,8 +5,9 @@
 //! one sign, and for a root that solves a definition.
 //!
 //! So a claim that is refuted is tested once more at each state where it fails, with other branches there. If it holds on one
-//! at each of them, and there is a condition under which it holds as printed, the finding names this condition, and
-//! nothing is called wrong. Where the condition is about a name that the document defines, as the angular momentum in Ω = √(…),
+//! at each of them, and there is a condition under which it holds as printed at all states, nothing is called wrong. The
+//! condition is not proved: arctan(tan x) = x holds for few of the x > 0. So the finding says where the claim fails, with the
+//! values of the function, and at how many states it was seen to hold. Where the condition is about a name that the document defines, as the angular momentum in Ω = √(…),
 //! the claim is judged once more under it: the author could declare no range of the name. A condition says that something is *positive*: x = −r cos φ holds for x < 0, and is a slip.
 
 use crate::code::Code;
@@ -54,11 +55,17 @@ pub(crate) fn on_another_branch(
     ensemble: &Ensemble<'_>,
     finding: Finding,
 ) -> (Finding, Option<Expr>) {
-    let Some(Branch { functions, condition, name }) = branch(link, context.model, ensemble) else {
+    let Some(Branch { functions, condition, holding, name }) = branch(link, context.model, ensemble) else {
         return (finding, None);
     };
-    let names: Vec<String> = functions.iter().map(|function| text::formula(function, &context.model.symbols)).collect();
-    let message = format!("holds where {condition}; elsewhere another branch of {} is meant", names.join(" or "));
+    let values =
+        |function: &Expr| format!("{} {}", text::formula(function, &context.model.symbols), principal_values(function));
+    let values: Vec<String> = functions.iter().map(values).collect();
+    let message = format!(
+        "holds on one branch only, because {}; it holds at the {holding} sampled states with {condition}, and fails at \
+         others",
+        values.join(", and ")
+    );
     (Finding { max_residual: None, ..finding.replaced(Code::OneBranch, Verdict::Domain, message) }, name)
 }
 
@@ -74,8 +81,10 @@ pub(crate) fn on_its_branch(link: &Link, model: &Model, ensemble: &mut Ensemble<
 struct Branch {
     /// The functions that have another value elsewhere.
     functions: Vec<Expr>,
-    /// Where it holds, in words.
+    /// The condition under which it holds at all states, in words.
     condition: String,
+    /// The number of states at which it holds under this condition.
+    holding: usize,
     /// The defined name that is positive there, if nothing else is.
     name: Option<Expr>,
 }
@@ -116,11 +125,12 @@ fn branch(link: &Link, model: &Model, ensemble: &Ensemble<'_>) -> Option<Branch>
         }
     }
     let sampled: Sampled<'_, '_> = (&ensemble.states, &outcomes);
-    if let Some(condition) = condition(&link, &functions, model, sampled) {
-        return Some(Branch { functions, condition, name: None });
+    if let Some((condition, holding)) = condition(&link, &functions, model, sampled) {
+        return Some(Branch { functions, condition, holding, name: None });
     }
-    let name = names.into_iter().find(|name| suffices(&[&positive(name, sampled.0)], sampled.1))?;
-    Some(Branch { functions, condition: is_positive(&name, model), name: Some(name) })
+    let suffices = |name: &Expr| holding(&[&positive(name, sampled.0)], sampled.1);
+    let (name, holding) = names.into_iter().find_map(|name| suffices(&name).map(|count| (name, count)))?;
+    Some(Branch { functions, condition: is_positive(&name, model), holding, name: Some(name) })
 }
 
 /// The definitions of the document and of a claim.
@@ -231,6 +241,15 @@ impl Definitions<'_> {
     }
 }
 
+/// The values that a function with several branches has, as a predicate.
+fn principal_values(function: &Expr) -> &'static str {
+    match &function.node {
+        Node::Call(Function::Arctan | Function::Arcsin, _) => "lies between −π/2 and π/2",
+        Node::Call(Function::Arccos, _) => "lies between 0 and π",
+        _ => "is not negative",
+    }
+}
+
 /// The other values of a function with several branches.
 fn other_values(function: &Expr) -> Vec<Expr> {
     let pi = |times: u32| {
@@ -268,8 +287,13 @@ fn variants(link: &Link, functions: &[Expr]) -> Vec<Link> {
     found
 }
 
-/// A condition under which a claim holds at all states, in words.
-fn condition(link: &Link, functions: &[Expr], model: &Model, (states, outcomes): Sampled<'_, '_>) -> Option<String> {
+/// A condition under which a claim holds at all states, in words, and the number of these states.
+fn condition(
+    link: &Link,
+    functions: &[Expr],
+    model: &Model,
+    (states, outcomes): Sampled<'_, '_>,
+) -> Option<(String, usize)> {
     let mut candidates: Vec<Expr> = Vec::new();
     let mut add = |formula: &Expr| {
         if !candidates.contains(formula) && !formula.symbols().is_empty() {
@@ -299,15 +323,15 @@ fn condition(link: &Link, functions: &[Expr], model: &Model, (states, outcomes):
     candidates.truncate(MOST_CONDITIONS);
     let obeyed: Vec<(&Expr, Vec<bool>)> =
         candidates.iter().map(|formula| (formula, positive(formula, states))).collect();
-    let suffices = |all: &[&Vec<bool>]| suffices(all, outcomes);
     let said = |formula: &Expr| is_positive(formula, model);
-    if let Some((formula, _)) = obeyed.iter().find(|(_, obeyed)| suffices(&[obeyed])) {
-        return Some(said(formula));
-    }
-    obeyed.iter().enumerate().find_map(|(at, (first, one))| {
-        let (second, _) = obeyed[at + 1..].iter().find(|(_, other)| suffices(&[one, other]))?;
-        Some(format!("{} and {}", said(first), said(second)))
-    })
+    let alone = |(formula, obeyed): &(&Expr, Vec<bool>)| Some((said(formula), holding(&[obeyed], outcomes)?));
+    let with_another = |(at, (first, one)): (usize, &(&Expr, Vec<bool>))| {
+        let mut others = obeyed[at + 1..].iter();
+        others.find_map(|(second, other)| {
+            Some((format!("{} and {}", said(first), said(second)), holding(&[one, other], outcomes)?))
+        })
+    };
+    obeyed.iter().find_map(alone).or_else(|| obeyed.iter().enumerate().find_map(with_another))
 }
 
 /// That a formula is positive, in words.
@@ -323,8 +347,8 @@ fn positive(formula: &Expr, states: States<'_, '_>) -> Vec<bool> {
     states.iter().map(is_positive).collect()
 }
 
-/// Whether a claim holds at enough states that obey all conditions, and fails at none.
-fn suffices(all: &[&Vec<bool>], outcomes: &[Option<bool>]) -> bool {
+/// The number of states that obey all conditions and at which a claim holds, if they are enough and it fails at none.
+fn holding(all: &[&Vec<bool>], outcomes: &[Option<bool>]) -> Option<usize> {
     let within = |at: &usize| all.iter().all(|obeyed| obeyed[*at]);
     let inside = (0..outcomes.len()).filter(within).map(|at| outcomes[at]);
     let (mut count, mut holds) = (0, true);
@@ -332,5 +356,5 @@ fn suffices(all: &[&Vec<bool>], outcomes: &[Option<bool>]) -> bool {
         count += usize::from(outcome == Some(true));
         holds &= outcome != Some(false);
     });
-    holds && count >= FEWEST_THAT_HOLD
+    (holds && count >= FEWEST_THAT_HOLD).then_some(count)
 }

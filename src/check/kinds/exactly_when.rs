@@ -6,7 +6,7 @@ use crate::formula::{Value, evaluate, text};
 use crate::scalar::RunningError;
 
 use crate::check::model::claim::{Hypothesis, Link};
-use crate::check::sample::context::Context;
+use crate::check::sample::context::{Context, NO_EQUALITY};
 use crate::check::sample::setting::FEWEST;
 use crate::check::search::boundary;
 use crate::check::state::counterexample::counterexample;
@@ -113,11 +113,7 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
         return Ok(context.finding(Code::TooFewStates, Verdict::Undecided, message));
     }
     let message = format!("holds at the {both} states that satisfy the conditions, and fails at the {neither} others");
-    Ok(Finding {
-        points: both + neither,
-        tried,
-        ..context.verified(message, "which states it holds at, and which not")
-    })
+    Ok(Finding { points: both + neither, tried, ..context.verified(message, NO_EQUALITY) })
 }
 
 fn text_of(link: &Link, context: &Context<'_>) -> String {

@@ -4,6 +4,8 @@
 //! [`Context::ensemble`](crate::check::sample::context::Context::ensemble) and tests mutants of the claim. [`shapes`] has
 //! the sentences about a function of one variable, [`mechanics`] the claims about a Lagrangian. [`compare`] compares two
 //! formulas without a document. An identity between two formulas is judged in [`crate::check::judge::identity`]. Knows `judge` and below; `equations` calls it.
+//!
+//! Offers the function `check` of each kind.
 
 pub(crate) mod compare;
 pub(crate) mod conserved;

@@ -29,6 +29,7 @@ use crate::check::model::sampling::{Mode, Spread};
 use crate::check::sample::context::Context;
 use crate::check::sample::prescribed_values::PrescribedValues;
 use crate::check::sample::setting::FEWEST;
+use crate::check::sample::without_value;
 use crate::check::state::counterexample::counterexample;
 use crate::check::state::residual::{Failure, pair};
 use crate::check::state::sampled_state::SampledState;
@@ -214,15 +215,18 @@ fn scaled(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Res
         }
     }
     if usable < FEWEST.min(context.options.points) {
-        let message = format!(
-            "only {usable} of {} sampled states gave a number; narrow the ranges (for example, assume v < c)",
-            families.len()
-        );
+        let message = without_value::message((usable, families.len()), None, context.model);
         return Ok(context.finding(Code::TooFewStates, Verdict::Undecided, message));
     }
     if slowest < wanted {
+        let (below, above) = (slowest.floor(), slowest.floor() + 1.0);
+        let way_out = match below >= 1.0 {
+            true => format!("claim \"order\": {:.0}, or correct the term", below - 1.0),
+            false => "correct the term".to_owned(),
+        };
         let message = format!(
-            "the error falls as the power {slowest:.1} of the small quantities, which does not decide the order"
+            "the two sides differ by a term of order {slowest:.1} in the small quantities, between the orders {below:.0} and \
+             {above:.0}; {way_out}"
         );
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }

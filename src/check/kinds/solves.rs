@@ -22,7 +22,7 @@ use crate::check::state::residual;
 use crate::check::state::residual::{Failure, Point};
 use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
-use crate::check::verdict::finding::Finding;
+use crate::check::verdict::finding::{Compared, Counterexample, Finding};
 
 /// Checks that `branch` is a solution of `target` for `unknown`; there may be others.
 ///
@@ -192,7 +192,8 @@ fn at_state(
     if all > roots.len() {
         let message = format!("the equation has {all} real solutions, but the notes give {}", roots.len());
         let failure = Failure { lhs: all as f64, rhs: roots.len() as f64, residual: 1.0, entry: None };
-        let counterexample = Some(counterexample(target, state, &failure));
+        let compared = Compared::Counts("real solutions");
+        let counterexample = Some(Counterexample { compared, ..counterexample(target, state, &failure) });
         let finding = context.finding(Code::MissingSolutions, Verdict::Refuted, message);
         return decided(Finding { counterexample, ..finding });
     }

@@ -68,7 +68,7 @@ pub(super) fn stated(reading: &Reading) -> Option<Status> {
         defines && read.is_ok_and(|read| read.members.len() == 2 && read.constant.is_none())
     };
     if !reading.statements.is_empty() && (0..reading.statements.len()).all(is_definition) {
-        return Some(Status::Given(Verdict::Definition, "introduces a name"));
+        return Some(Status::Given(Verdict::Definition, "defines a name"));
     }
     let no_relation = |statement: &Statement| statement.relations.is_empty() && statement.constant.is_none();
     let is_bare = reading.statements.iter().flatten().all(no_relation);
@@ -85,7 +85,7 @@ fn of_finding(finding: Finding) -> Status {
         matches!(code, Definition | DefinitionNotTested | DefinitionUnused | DefinitionUpToSign | DefinitionUsersFail)
     };
     match (finding.verdict, finding.code) {
-        (_, code) if is_named(code) => Status::Given(Verdict::Definition, "introduces a name"),
+        (_, code) if is_named(code) => Status::Given(Verdict::Definition, "defines a name"),
         (Verdict::Law, _) => Status::Given(Verdict::Law, "is a law that the problem gives"),
         (Verdict::Unreadable, UnitMismatch) | (Verdict::Refuted, _) => Status::False(Box::new(finding)),
         (Verdict::Unreadable, Code::NeedsLimitOrSmall) => Status::Open(Verdict::Undecided, finding.message),

@@ -7,7 +7,9 @@ use crate::notes::claims::{Claims, Spanned};
 pub fn formula_error(claims: &Claims, latex: &Spanned<String>, fault: crate::source::Fault) -> Error {
     let at = latex.value.get(fault.span.range()).filter(|part| !part.is_empty() && *part != latex.value);
     let message = match at {
-        Some(part) => format!("at “{part}”: {}", fault.message),
+        // The message itself names what is not known.
+        Some(part) if fault.missing.is_none() => format!("at “{part}”: {}", fault.message),
+        Some(_) => format!("{} in “{}”", fault.message, latex.value),
         None => fault.message,
     };
     let error = Error::at(&claims.source, latex.span, message).lacking(fault.missing);

@@ -24,7 +24,7 @@ impl Builder<'_> {
             let error = self.error(&reference.name, format!("there is no system \"{}\"", reference.name.value));
             match suggest::nearest(&reference.name.value, registry.names()) {
                 Some(near) => error.help(format!("did you mean \"{near}\"?")),
-                None => error.help(format!("the systems are {}", registry.names().collect::<Vec<_>>().join(", "))),
+                None => error.help(suggest::systems(registry.names())),
             }
         })?;
         let system = lagrangian.trace()?;
@@ -149,7 +149,7 @@ impl Builder<'_> {
         let Some(coordinate) = meaning.value.strip_prefix("momentum of ") else { return Ok(false) };
         let known = self.model.coordinates.iter().map(|known| known.symbol);
         let mut known = known.filter(|id| plain(&self.model.name(*id)) == plain(coordinate));
-        let q = known.next().ok_or_else(|| self.error(meaning, format!("{coordinate} is not a coordinate")))?;
+        let q = known.next().ok_or_else(|| self.no_coordinate(meaning, coordinate))?;
         let id = self.add(latex, Kind::Scalar, Meaning::Varying(self.model.varying.len()))?;
         let entry = self.model.symbols.entry_mut(id);
         (entry.varies, entry.momentum) = (true, true);
@@ -249,6 +249,16 @@ impl Builder<'_> {
         Ok(particles::quantity(meaning).is_some())
     }
 
+    /// The error of a name that is no coordinate, with those that are.
+    fn no_coordinate(&self, place: &Spanned<String>, name: &str) -> Error {
+        let known: Vec<String> = self.model.coordinates.iter().map(|known| self.shown(known.symbol)).collect();
+        let error = self.error(place, format!("{name} is not a coordinate"));
+        match known.is_empty() {
+            true => error.help("declare it under \"coordinates\""),
+            false => error.help(format!("the coordinates are {}", known.join(", "))),
+        }
+    }
+
     fn quantity(&self, meaning: &Spanned<String>) -> Result<Quantity> {
         if self.model.system.is_none() && !self.is_printed() {
             return Err(self.error(meaning, "this meaning needs a system").help(
@@ -259,9 +269,7 @@ impl Builder<'_> {
         if let Some(coordinate) = meaning.value.strip_prefix("momentum of ") {
             let place =
                 self.model.coordinates.iter().position(|v| plain(&self.model.name(v.symbol)) == plain(coordinate));
-            return place
-                .map(Quantity::Momentum)
-                .ok_or_else(|| self.error(meaning, format!("{coordinate} is not a coordinate")));
+            return place.map(Quantity::Momentum).ok_or_else(|| self.no_coordinate(meaning, coordinate));
         }
         let found = MEANINGS.iter().find(|(word, _)| *word == meaning.value).map(|(_, quantity)| *quantity);
         let quantity = found.ok_or_else(|| {

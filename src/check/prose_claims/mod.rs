@@ -19,6 +19,8 @@
 //! | `sought` | equations for something that is sought, which nothing refutes |
 //!
 //! Knows the whole check of a document, [`check_in`], and no notes without claims.
+//!
+//! Offers `checked`, the check of a document with these claims, and `with_guesses`, guessed claims with them.
 
 mod conditions;
 mod constants;

@@ -28,8 +28,8 @@ pub(super) fn leave_open(names: &NotesNames<'_>, is_claimed: impl Fn(usize) -> b
         finding.verdict = Verdict::Undecided;
         finding.code = Code::EquationForUnknown;
         finding.message =
-            "the words before it say that this is an equation for something that is sought. It does not hold in \
-             general, and no claim says what solves it"
+            "the text before this equation asks for its solution, so it was not tested as an identity; say where it holds \
+             with \"where\", or add \"solves\" and \"for\""
                 .to_owned();
         finding.counterexample = None;
         finding.difference = None;

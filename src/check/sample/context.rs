@@ -23,6 +23,9 @@ use crate::check::verdict::finding::Finding;
 /// The most work for the states of a deduction. Most sets of premises that are tried are of no use.
 const DEDUCTION: usize = 40_000;
 
+/// The reason why a claim that is no equality is not certified.
+pub(crate) const NO_EQUALITY: &str = "its kind: only an equality of two formulas can have a certificate";
+
 /// The options of a check.
 ///
 /// Start from [`Options::default`] and change what you need: fields may be added.
@@ -154,7 +157,7 @@ impl<'a> Context<'a> {
         Finding::new(code, verdict, self.span, message)
     }
 
-    /// The finding that this claim holds by numbers only; `about` is the reason why it is not certified.
+    /// The finding that this claim holds by numbers only; `about` is the reason why it is not certified, a noun phrase.
     pub fn verified(&self, message: impl Into<String>, about: &str) -> Finding {
         Finding {
             not_certified_because: Some(about.to_owned()),
@@ -202,9 +205,10 @@ impl<'a> Context<'a> {
                     format!("this needs time derivatives of order above {most}, which is not supported"),
                 )
             }
-            Unavailable::Operation(what) => {
-                (Code::NotSupported, format!("{what} cannot be evaluated; write the formula in another way"))
-            }
+            Unavailable::Operation(what) => (
+                Code::NotSupported,
+                format!("{what} cannot be evaluated; write its vectors and matrices out, or use a formula without it"),
+            ),
         };
         self.finding(code, Verdict::Unreadable, message)
     }

@@ -19,3 +19,4 @@ pub(crate) mod sampler;
 pub(crate) mod setting;
 pub(crate) mod special;
 pub(crate) mod unmet_hypotheses;
+pub(crate) mod without_value;

@@ -3,6 +3,7 @@
 use crate::formula::text;
 
 use crate::check::model::claim::Hypothesis;
+use crate::check::model::meaning::Meaning;
 use crate::check::sample::projection::Projection;
 
 /// The largest number of hypotheses that are named as failing, and as possibly contradicted.
@@ -16,6 +17,11 @@ pub(crate) fn explanation(projection: &Projection<'_>) -> String {
     unmet.truncate(NAMED);
     unmet.sort_unstable();
     let hypotheses = &projection.hypotheses;
+    if let [(at, _)] = unmet.as_slice()
+        && let Some(said) = impossible_motion(&hypotheses[*at], projection)
+    {
+        return said;
+    }
     let is_unmet = |at: &usize| unmet.iter().any(|(known, _)| known == at);
     let named = |at: usize| shown(&hypotheses[at], projection);
     let failing: Vec<String> = unmet.iter().map(|(at, _)| named(*at)).collect();
@@ -42,6 +48,18 @@ pub(crate) fn explanation(projection: &Projection<'_>) -> String {
              the ranges"
         ),
     }
+}
+
+/// What is said of an equation of motion without anything that moves: no motion obeys −m = 0, which follows from L = m x.
+fn impossible_motion(hypothesis: &Hypothesis, projection: &Projection<'_>) -> Option<String> {
+    let model = projection.model;
+    let is_constant = |id| matches!(model.meaning(id), Some(Meaning::Constant(_)));
+    let all = [&hypothesis.lhs, &hypothesis.rhs].map(|side| side.symbols()).concat();
+    let is_of_the_lagrangian = model.laws.iter().any(|law| law.derived && law.hypotheses.contains(hypothesis));
+    (is_of_the_lagrangian && all.iter().all(|(id, _)| is_constant(*id))).then(|| {
+        let equation = shown(hypothesis, projection);
+        format!("the equations of motion: they contain {equation}, which no motion can change; correct the Lagrangian")
+    })
 }
 
 /// A hypothesis in words, with its place.

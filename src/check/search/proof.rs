@@ -55,7 +55,8 @@ pub(crate) fn by_subdivision(link: &Link, context: &Context<'_>, ensemble: &Ense
         let mut places = Vec::new();
         match ranges.least(&margin, is_strict, PARTS, &mut |_: &[f64]| true) {
             Least::Proved => {
-                let message = format!("{}; proved over all values in the ranges, by dividing them", finding.message);
+                let message =
+                    format!("{}; proved for all values in the ranges by interval arithmetic", finding.message);
                 return Finding { message, ..finding };
             }
             Least::Below(values) => places.extend(ensemble.bases.first().map(|base| ranges.moved(base, &values))),

@@ -1,6 +1,7 @@
-//! Counterexamples: the values of a claim's symbols at a state at which it fails.
+//! Counterexamples as they are printed: the values of a claim's symbols at a state at which it fails. The state itself is
+//! chosen where all states are tested, in `crate::check::sample::outcome`: the one with the largest residual.
 
-use crate::formula::{Expr, Index, IndexId, Node, SymbolId};
+use crate::formula::{Expr, Index, IndexId, Node, SymbolId, Value};
 use crate::latex::typeset;
 use crate::scalar::RunningError;
 
@@ -10,7 +11,7 @@ use crate::check::model::meaning::Meaning;
 use crate::check::state::residual;
 use crate::check::state::residual::Failure;
 use crate::check::state::sampled_state::SampledState;
-use crate::check::verdict::finding::Counterexample;
+use crate::check::verdict::finding::{Compared, Counterexample};
 
 /// The counterexample of a failure at a state.
 pub fn counterexample(link: &Link, state: &SampledState<'_, RunningError>, failure: &Failure) -> Counterexample {
@@ -19,6 +20,7 @@ pub fn counterexample(link: &Link, state: &SampledState<'_, RunningError>, failu
         lhs: failure.lhs,
         rhs: failure.rhs,
         entry: failure.entry.clone(),
+        compared: Compared::Sides,
     }
 }
 
@@ -118,10 +120,16 @@ pub fn values(formulas: &[&Expr], state: &SampledState<'_, RunningError>) -> Vec
                 let name = typeset(&member, &model.symbols);
                 let Ok(value) = state.now(&member, &[]) else { return };
                 let entries = value.entries();
-                for (axis, entry) in ["x", "y", "z"].iter().zip(&entries) {
-                    let name = if entries.len() == 1 { name.clone() } else { format!("{name} {axis}") };
-                    if entries.len() <= 3 && found.len() < MOST_SHOWN && !found.iter().any(|(known, _)| *known == name)
-                    {
+                for (at, entry) in entries.iter().enumerate() {
+                    let name = match &value {
+                        Value::Scalar(_) => name.clone(),
+                        Value::Matrix(matrix) => {
+                            let columns = matrix.ncols();
+                            format!("{name}_{{{}{}}}", at / columns + 1, at % columns + 1)
+                        }
+                        _ => format!("{name} {}", ["x", "y", "z"][at.min(2)]),
+                    };
+                    if found.len() < MOST_SHOWN && !found.iter().any(|(known, _)| *known == name) {
                         found.push((name, entry.value));
                     }
                 }

@@ -283,14 +283,12 @@ fn refuted(checker: &Checker<'_>, conflict: &Conflict, before: &Equation) -> Equ
     let start = checker.notes.equations[conflict.at].body.start;
     let shown: Vec<String> = conflict.names.iter().map(|id| text::plain(&checker.model.name(*id))).collect();
     let consequence = match shown.as_slice() {
-        [] => "its terms have different dimensions by the other displays".to_owned(),
-        [name] => format!("with this display {name} would be a pure number, and by the other displays it is none"),
-        names => {
-            format!(
-                "with this display {} would be pure numbers, and by the other displays they are none",
-                names.join(", ")
-            )
-        }
+        [] => "by the other displays, its terms have different dimensions".to_owned(),
+        [name] => format!("this display would make {name} dimensionless, but the other displays give it a dimension"),
+        [names @ .., last] => format!(
+            "this display would make {} and {last} dimensionless, but the other displays give them a dimension",
+            names.join(", ")
+        ),
     };
     let message = format!("the dimensions do not fit: {consequence}");
     let finding = Finding::new(Code::DimensionsConflict, Verdict::Refuted, before.finding.span, message);

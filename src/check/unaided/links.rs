@@ -125,17 +125,18 @@ pub(super) fn merged(found: &mut [Equation], first: usize, apart: &Apart, links:
                 ..chain.clone()
             };
         } else if chain.finding.verdict == Verdict::Assumed {
-            let holds = |link: &&&Equation| matches!(link.finding.verdict, Verdict::Certified | Verdict::Verified);
-            let message = match (own.iter().filter(holds).count(), own.len()) {
-                (0, _) => continue,
-                (holding, all) if holding < all => {
-                    "not each equality of this chain follows from the other displays; what does not is taken for granted, and was not checked"
-                }
-                _ => {
+            let holds = |link: &&Equation| matches!(link.finding.verdict, Verdict::Certified | Verdict::Verified);
+            let open: Vec<String> =
+                own.iter().filter(|link| !holds(link)).map(|link| format!("“{}”", link.reading)).collect();
+            chain.finding.message = match open.as_slice() {
+                all if all.len() == own.len() => continue,
+                [] => {
                     "the first equality of this chain is taken for granted, and was not checked; what comes after it follows"
+                        .to_owned()
                 }
+                [only] => format!("{only} does not follow from the other displays, and was not checked; the rest follows"),
+                all => format!("{} do not follow from the other displays, and were not checked; the rest follows", all.join(" and ")),
             };
-            chain.finding.message = message.to_owned();
         }
     }
 }

@@ -101,7 +101,7 @@ pub fn system(run: &Run<'_>, notes: &Notes) -> Result<Option<Arc<System>>> {
     while seen < notes.equations.len() {
         let (part, scope) = scopes::from(run, &notes, seen, &outline);
         let claims = inference::claims(run, &part)?;
-        if let Some(system) = system_of(run, &claims, &part)? {
+        if let Some(system) = traced(run, &claims, &part)? {
             return Ok(Some(system));
         }
         seen += part.equations.len().saturating_sub(scope.carried).max(1);
@@ -115,6 +115,18 @@ pub fn system(run: &Run<'_>, notes: &Notes) -> Result<Option<Arc<System>>> {
 /// For claims that do not fit the notes.
 #[cfg(feature = "cli")]
 pub fn system_of(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Option<Arc<System>>> {
+    match claims.guesses {
+        // Guesses are about the notes as they are read without a claims file.
+        Some(_) => {
+            let notes = with_ids(notes);
+            traced(run, &prose_claims::with_guesses(run, claims, &notes), &notes)
+        }
+        None => traced(run, claims, notes),
+    }
+}
+
+#[cfg(feature = "cli")]
+fn traced(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Option<Arc<System>>> {
     with_checker(run, claims, notes, |checker| {
         let model = checker.model;
         let function = |at: &usize| model.symbols.entry(model.constants[*at].symbol).coefficient.as_ref();

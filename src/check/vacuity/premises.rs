@@ -64,10 +64,12 @@ pub fn combination(link: &Link, context: &Context<'_>) -> Result<Option<String>>
         .map(|(coefficient, variable)| {
             let name = text::plain(&context.model.name(variable.symbol));
             let nearest = (coefficient * 60.0).round() / 60.0;
-            format!(
-                "{} × the Euler–Lagrange equation of {name}",
-                if nearest < 0.0 { format!("−{}", -nearest) } else { nearest.to_string() }
-            )
+            let factor = match nearest {
+                1.0 => String::new(),
+                factor if factor < 0.0 => format!("−{} × ", -factor),
+                factor => format!("{factor} × "),
+            };
+            format!("{factor}the Euler–Lagrange equation of {name}")
         })
         .collect();
     let rational = fit.iter().all(|c| (c * 60.0 - (c * 60.0).round()).abs() < 1e-7);

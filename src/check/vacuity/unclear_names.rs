@@ -28,9 +28,7 @@ impl Context<'_> {
         let unions = self.local.iter().filter(|rule| matches!(rule.action, Action::Union(_)));
         let rule = unions.into_iter().find(|rule| is_named(rule.symbol))?;
         let name = text::plain(&self.model.name(rule.symbol));
-        Some(format!(
-            "{name} is joined from several families here, so it is not clear which of them is meant; use a name for each"
-        ))
+        Some(format!("{name} stands for several families here; use a different letter for each of them"))
     }
 
     /// The message about a dot on a quantity that depends on the point of an integral: the motion of the matter is not
@@ -62,10 +60,15 @@ impl Context<'_> {
 /// The constant, or the time, that has a dot in a formula or in its definitions.
 fn moving_constant(formula: &Expr, model: &Model, seen: &mut Vec<SymbolId>) -> Option<SymbolId> {
     let constant = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Constant(_) | Meaning::Time)).then_some(id);
+    let is_constant = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Constant(_)));
     match &formula.node {
         Node::TimeDerivative(_, inner) if matches!(inner.node, Node::Symbol { .. }) => {
             let Node::Symbol { id, .. } = inner.node else { return None };
             constant(id)
+        }
+        // `\dot{(x + 1)}`, where nothing in the parenthesis varies.
+        Node::TimeDerivative(_, inner) if inner.symbols().iter().all(|(id, _)| is_constant(*id)) => {
+            inner.symbols().first().map(|(id, _)| *id)
         }
         Node::Symbol { id, dots: 1.., .. } => constant(*id),
         Node::Symbol { id, .. } if !seen.contains(id) => {

@@ -7,6 +7,20 @@ use crate::source::Span;
 
 use crate::check::verdict::Verdict;
 
+/// What the two numbers of a counterexample are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Compared {
+    /// The values of the two sides of a relation.
+    #[default]
+    Sides,
+    /// How many of these were found, and how many are claimed.
+    Counts(&'static str),
+    /// What a function has at a place, and what it should have.
+    AtAPlace,
+    /// Nothing: the message says all.
+    Nothing,
+}
+
 /// A counterexample: a state at which a claim fails, with the values of its two sides.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -19,6 +33,8 @@ pub struct Counterexample {
     pub rhs: f64,
     /// The component or entry that fails, for a vector, a matrix or a family.
     pub entry: Option<String>,
+    /// What the two values are.
+    pub(crate) compared: Compared,
 }
 
 /// A formula for display.

@@ -1,4 +1,6 @@
 //! Verdicts, their evidence, and the report of a document: what `check` gives and `report` prints.
+//!
+//! Offers [`Verdict`], and in its files findings, suggestions (in the code: repairs) and reports. Knows no other folder of `check`.
 
 use std::fmt;
 

@@ -146,12 +146,50 @@ pub(crate) fn load(job: &Job) -> Result<Loaded> {
             if files.len() == 1 {
                 return Ok(Loaded::Own(Box::new(claims), notes));
             }
-            let message = format!("{} is about {} itself", shown(file), shown(path));
-            return Err(Error::new(message).help("give it alone; the others are about other notes"));
+            let message = format!(
+                "{} claims files are given, and {} already belongs to {}",
+                files.len(),
+                shown(file),
+                shown(path)
+            );
+            return Err(Error::new(message).help(format!("use only {}", shown(file))));
         }
         sets.push((claims, notes_at(&own)?));
     }
     Ok(Loaded::Reprint(sets, notes))
+}
+
+/// The claims files of a job whose notes are not there, and that are taken to be about the notes of the job.
+pub(crate) fn misnamed(job: &Job) -> Vec<String> {
+    let Job::Pair { notes, claims } = job else { return Vec::new() };
+    let said = |file: &PathBuf| {
+        let own = Claims::read(file, &shown(file)).ok()?.notes_path();
+        let is_other = own.file_name() != notes.file_name() && !own.exists();
+        is_other.then(|| {
+            let (file, notes) = (shown(file), shown(notes));
+            format!(
+                "warning: {file} is about {}, which is not there; it is used for {notes}. Correct \"notes\" in {file}.",
+                shown(&own)
+            )
+        })
+    };
+    claims.iter().filter_map(said).collect()
+}
+
+/// The equations of notes by their numbers and labels, for the advice where one is not found.
+pub(crate) fn equations_of<'n>(notes: impl Iterator<Item = &'n Notes>) -> String {
+    const MOST: usize = 12;
+    let ids: Vec<String> = notes
+        .flat_map(|notes| &notes.equations)
+        .filter_map(|display| display.id())
+        .map(|id| format!("({id})"))
+        .collect();
+    match ids.as_slice() {
+        [] => "no equation of the notes has a number or a label; a display without one is L and its line".to_owned(),
+        all if all.len() <= MOST => format!("the notes have {}", all.join(", ")),
+        [first, .., last] => format!("the notes have {} equations, from {first} to {last}", ids.len()),
+        [only] => format!("the notes have {only}"),
+    }
 }
 
 fn is_same(a: &Path, b: &Path) -> bool {

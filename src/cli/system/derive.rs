@@ -12,6 +12,7 @@ use crate::{Error, Result};
 
 use super::subject::Subject;
 use crate::cli::outcome::{Format, Outcome, Screen};
+use crate::cli::values;
 
 /// Prints what follows from the Lagrangian of a system, or of notes
 ///
@@ -32,7 +33,7 @@ pub struct Arguments {
     #[arg(long, conflicts_with = "quantity")]
     steps: bool,
     /// The seed of the sampled states of --steps
-    #[arg(long, default_value_t = 1, requires = "steps")]
+    #[arg(long, default_value_t = 1, requires = "steps", allow_negative_numbers = true, value_parser = values::seed)]
     seed: u64,
     /// The form of the output
     #[arg(long, value_enum, default_value_t = Form::Text)]

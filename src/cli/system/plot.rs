@@ -8,6 +8,7 @@ use crate::{Error, Result};
 
 use super::subject::Subject;
 use crate::cli::outcome::{Format, Outcome, Screen};
+use crate::cli::values;
 
 /// Draws a system as SVG: its motion, its effective potential, the axis of a top
 ///
@@ -26,7 +27,7 @@ pub struct Arguments {
     #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true)]
     values: Vec<String>,
     /// The time at which the motion ends
-    #[arg(long, default_value_t = 20.0)]
+    #[arg(long, default_value_t = 20.0, allow_negative_numbers = true)]
     until: f64,
 }
 
@@ -56,17 +57,10 @@ pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
 
 fn drawn(arguments: &Arguments, registry: &Registry) -> Result<String> {
     let system = Subject::of(&arguments.system, registry)?.system;
-    let setting = |pair: &String| {
-        let value =
-            pair.split_once('=').and_then(|(name, value)| Some((name.trim(), value.trim().parse::<f64>().ok()?)));
-        let sound = value.filter(|(_, value)| value.is_finite());
-        sound.map(|(name, value)| (name.to_owned(), value)).ok_or_else(|| {
-            Error::new(format!("“{pair}” sets nothing: it is not NAME=VALUE")).help("write --set '\\theta=0.5'")
-        })
-    };
+    let setting = |pair: &String| values::setting(pair).map(|(name, value)| (name.to_owned(), value));
     let values = arguments.values.iter().map(setting).collect::<Result<Vec<_>>>()?;
     if !arguments.until.is_finite() || arguments.until <= 0.0 {
-        return Err(Error::new("the time of --until must be a number above 0").help("write --until 20"));
+        return Err(Error::new("--until must be a number above 0").help("write --until 20"));
     }
     let kind = match arguments.picture {
         Picture::Motion => Kind::Motion,

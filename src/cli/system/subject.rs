@@ -107,6 +107,6 @@ fn unknown(name: &str, registry: &Registry) -> Error {
     let unknown = Error::new(format!("there is no system \"{name}\""));
     match suggest::nearest(name, registry.names()) {
         Some(near) => unknown.help(format!("did you mean {near}?")),
-        None => unknown.help(format!("the systems are {}", registry.names().collect::<Vec<_>>().join(", "))),
+        None => unknown.help(suggest::systems(registry.names())),
     }
 }

@@ -14,6 +14,9 @@
 //! | `quadrature` | integrals without a known antiderivative, as numbers |
 //! | [`places`] | the ends of an interval, and the value of a formula at a place |
 //! | [`series`] | sums over a whole number up to a letter, or to infinity |
+//!
+//! Offers `definite` and `series`, the formulas of an integral and of a sum, and what they share. Knows the tree and the symbols of
+//! `formula`, and numbers.
 
 mod algebraic;
 pub mod any_function;

@@ -9,6 +9,8 @@
 //! this one. What is needed is seven rational exponents and elimination, hence a type of our own. To a dimension scale
 //! does not matter: a kilometre and a millimetre have the same. The size of a [`Unit`] that stands after a number in a
 //! formula is in [`printed`].
+//!
+//! Knows the tree and the symbols of `formula`.
 
 #[cfg(feature = "notes")]
 pub mod check;

@@ -1,6 +1,9 @@
 //! What people write by hand that is read only here, since there it has one sense: a function of a parenthesis with a power,
 //! `\sin(x)^2`; functions of other languages; a number with a unit, `3\,\text{kg}`, or in degrees; a decimal comma; words
 //! between statements; what a slash divides; separated differentials; and the sum of all forces.
+//!
+//! Offers `edits`, the changes of a text before it is read, and `quantity`, the length of a number with a unit. Knows names of LaTeX, and
+//! no symbols.
 
 mod differentials;
 mod functions;

@@ -1,4 +1,6 @@
-//! The tokens that open and close each delimiter.
+//! The tokens that open and close each delimiter, and the faults where one of a pair, or an argument, is missing.
+
+use crate::source::{Fault, Span};
 
 use super::super::lexer::{Token, TokenKind};
 use super::item::Delimiter;
@@ -45,6 +47,65 @@ pub(super) fn closing(token: &Token) -> Option<Delimiter> {
             _ => None,
         },
         _ => None,
+    }
+}
+
+/// The fault of a token that closes what nothing opens.
+pub(super) fn unopened(token: &Token) -> Fault {
+    let close = match &token.kind {
+        TokenKind::Close => "}".to_owned(),
+        TokenKind::Other(c) => c.to_string(),
+        TokenKind::Command(name) => name.clone(),
+        _ => return Fault::new(token.span, "this closes a group that was never opened"),
+    };
+    let open = match close.as_str() {
+        "}" => "{",
+        ")" => "(",
+        "]" => "[",
+        "\\}" => "\\{",
+        "\\rvert" => "\\lvert",
+        "\\rVert" => "\\lVert",
+        "\\rangle" => "\\langle",
+        "\\right" => "\\left",
+        "\\end" => "\\begin",
+        _ => return Fault::new(token.span, format!("this {close} closes nothing")).help("remove it"),
+    };
+    Fault::new(token.span, format!("this {close} has no matching {open}")).help(format!("remove it, or add {open}"))
+}
+
+/// The fault of something that is opened, and not closed.
+pub(super) fn unclosed(span: Span, open: &str) -> Fault {
+    let close = match open {
+        "{" => "}",
+        "(" => ")",
+        "[" => "]",
+        "|" => "|",
+        "\\{" => "\\}",
+        "\\lvert" => "\\rvert",
+        "\\|" => "\\|",
+        "\\langle" => "\\rangle",
+        "\\left" => "\\right and its delimiter",
+        _ => return Fault::new(span, format!("this {open} is never closed")),
+    };
+    Fault::new(span, format!("this {open} is never closed")).help(format!("add {close} where it ends"))
+}
+
+/// The fault of a command, or of a script, without what must follow it.
+pub(super) fn without_argument(command: Option<&Token>, span: Span) -> Fault {
+    match command.map(|token| &token.kind) {
+        Some(TokenKind::Super) => {
+            Fault::new(span, "a superscript is missing after this ^").help("write one, as in x^2, or remove the ^")
+        }
+        Some(TokenKind::Sub) => {
+            Fault::new(span, "a subscript is missing after this _").help("write one, as in x_1, or remove the _")
+        }
+        Some(TokenKind::Command(name)) if name == "\\frac" => {
+            Fault::new(span, "\\frac needs a numerator and a denominator").help("write \\frac{a}{b}")
+        }
+        Some(TokenKind::Command(name)) => {
+            Fault::new(span, format!("{name} needs something after it")).help(format!("write {name}{{…}}"))
+        }
+        _ => Fault::new(span, "an argument is missing here"),
     }
 }
 

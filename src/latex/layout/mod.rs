@@ -9,6 +9,8 @@
 //!
 //! This folder may import the lexer, the macros and the normalizer of [`super`].
 //!
+//! Offers [`Item`] and [`typeset_items`], and `latex` and `typed`, items as text again.
+//!
 //! # Why reading has two steps
 //!
 //! Layout knows how things are typeset and nothing of what they mean: groups, fences, fractions, scripts. It never
@@ -47,6 +49,6 @@ pub use item::Units;
 pub use item::{Delimiter, Item, Layout};
 pub use parser::layout;
 #[cfg(feature = "notes")]
-pub(crate) use print::latex;
+pub(crate) use print::{latex, typed};
 #[cfg(feature = "notes")]
 pub(crate) use text::typeset_items;

@@ -8,7 +8,7 @@ use crate::source::{Fault, Span};
 
 use super::super::lexer::{Space, Token, TokenKind};
 use super::angles::{bars_before_angle, bra_length, is_lone_bar};
-use super::delimiters::{closing, glyph, is_plain_bar};
+use super::delimiters::{closing, glyph, is_plain_bar, unclosed, unopened, without_argument};
 use super::item::{Delimiter, Item, Layout, is_derivative_mark, letters};
 use super::units;
 
@@ -31,7 +31,7 @@ pub fn layout(tokens: &[Token], length: usize) -> Vec<Item> {
     let mut parser = Parser { tokens, at: 0, depth: 0, length, angles: 0 };
     let mut items = parser.list(Until::End);
     while let Some(token) = parser.next() {
-        items.push(fault(token.span, "this closes a group that was never opened"));
+        items.push(of_fault(unopened(token)));
         items.extend(parser.list(Until::End));
     }
     units::settled(items)
@@ -149,16 +149,16 @@ impl<'a> Parser<'a> {
     }
 
     fn bare_argument(&mut self, command: Span) -> Item {
+        let missing = || {
+            let before = self.tokens[..self.at].iter().rev().find(|token| token.span == command);
+            of_fault(without_argument(before, command))
+        };
         match self.peek() {
-            None => fault(command, "an argument is missing here"),
+            None => missing(),
             Some(token) => match &token.kind {
-                TokenKind::Close | TokenKind::Align | TokenKind::Row | TokenKind::Sub | TokenKind::Super => {
-                    fault(command, "an argument is missing here")
-                }
-                TokenKind::Other(')' | ']' | '=' | '+') => fault(command, "an argument is missing here"),
-                TokenKind::Command(name) if name == "\\right" || name == "\\end" => {
-                    fault(command, "an argument is missing here")
-                }
+                TokenKind::Close | TokenKind::Align | TokenKind::Row | TokenKind::Sub | TokenKind::Super => missing(),
+                TokenKind::Other(')' | ']' | '=' | '+') => missing(),
+                TokenKind::Command(name) if name == "\\right" || name == "\\end" => missing(),
                 TokenKind::Space(_) => {
                     self.next();
                     self.bare_argument(command)
@@ -252,7 +252,7 @@ impl<'a> Parser<'a> {
     pub(super) fn unclosed(&self, open: Span, what: &str, items: Vec<Item>) -> Item {
         match items.into_iter().rev().find(|item| matches!(item.layout, Layout::Fault(_))) {
             Some(inner) => inner,
-            None => fault(open, format!("this {what} is never closed")),
+            None => of_fault(unclosed(open, what)),
         }
     }
 
@@ -310,7 +310,7 @@ impl<'a> Parser<'a> {
                         self.next();
                         let inside = self.list(Until::Bracket);
                         if self.next().is_none_or(|token| token.kind != TokenKind::Other(']')) {
-                            return fault(token.span, "this [ is never closed");
+                            return of_fault(unclosed(token.span, "["));
                         }
                         Some(Box::new(Item { layout: Layout::Group(inside), span: token.span }))
                     }

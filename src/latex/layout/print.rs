@@ -1,13 +1,36 @@
 //! Layout items as LaTeX again: what stands where no formula is expected, such as the label of a state or the limits of a
-//! sum, is shown as it was printed.
+//! sum, is shown as it was printed. A message quotes what it is about as the author typed it.
 
 use super::item::{Delimiter, Item, Layout};
 
+/// How items are written.
+#[derive(Clone, Copy, PartialEq)]
+enum Form {
+    /// Each thing in one way only: scripts in braces, and no spaces that print nothing.
+    Normal,
+    /// As people type it: `v^2` without braces, and a space where the author has one.
+    Typed,
+}
+
 /// The LaTeX of items. A space stands where two tokens would run into each other.
 pub(crate) fn latex(items: &[Item]) -> String {
+    written(items, Form::Normal)
+}
+
+/// The LaTeX of items nearly as the author typed it, for a message.
+pub(crate) fn typed(items: &[Item]) -> String {
+    written(items, Form::Typed)
+}
+
+fn written(items: &[Item], form: Form) -> String {
     let mut text = String::new();
+    let mut end = None;
     for item in items {
-        let piece = one(item);
+        if form == Form::Typed && end.is_some_and(|end| end < item.span.start) {
+            text.push(' ');
+        }
+        end = Some(item.span.end);
+        let piece = one(item, form);
         let letter_follows = piece.starts_with(|c: char| c.is_ascii_alphabetic());
         let ends_with_command = text
             .rfind('\\')
@@ -20,7 +43,9 @@ pub(crate) fn latex(items: &[Item]) -> String {
     text
 }
 
-fn one(item: &Item) -> String {
+fn one(item: &Item, form: Form) -> String {
+    let latex = |items: &[Item]| written(items, form);
+    let inside = |item: &Item| inside(item, form);
     match &item.layout {
         Layout::Letter(c) | Layout::Other(c) => c.to_string(),
         Layout::Number(digits) => digits.clone(),
@@ -33,9 +58,22 @@ fn one(item: &Item) -> String {
         }
         Layout::Scripts { nucleus, sub, sup, primes } => {
             let script = |mark: char, script: &Option<Box<Item>>| {
-                script.as_ref().map_or_else(String::new, |script| format!("{mark}{{{}}}", inside(script)))
+                let Some(script) = script else { return String::new() };
+                let script = inside(script);
+                let is_short = script.chars().count() == 1
+                    || script.strip_prefix('\\').is_some_and(|name| name.bytes().all(|b| b.is_ascii_alphabetic()));
+                match form == Form::Typed && is_short {
+                    true => format!("{mark}{script}"),
+                    false => format!("{mark}{{{script}}}"),
+                }
             };
-            format!("{}{}{}{}", one(nucleus), "'".repeat(usize::from(*primes)), script('_', sub), script('^', sup))
+            format!(
+                "{}{}{}{}",
+                one(nucleus, form),
+                "'".repeat(usize::from(*primes)),
+                script('_', sub),
+                script('^', sup)
+            )
         }
         Layout::Fraction(above, below) => format!("\\frac{{{}}}{{{}}}", inside(above), inside(below)),
         Layout::Root(None, radicand) => format!("\\sqrt{{{}}}", inside(radicand)),
@@ -57,10 +95,10 @@ fn one(item: &Item) -> String {
 }
 
 /// Without the braces around it.
-fn inside(item: &Item) -> String {
+fn inside(item: &Item, form: Form) -> String {
     match &item.layout {
-        Layout::Group(items) => latex(items),
-        _ => one(item),
+        Layout::Group(items) => written(items, form),
+        _ => one(item, form),
     }
 }
 

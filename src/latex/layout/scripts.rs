@@ -4,7 +4,7 @@ use crate::source::{Fault, Span};
 
 use super::super::lexer::TokenKind;
 use super::item::{Item, Layout, letters};
-use super::parser::{Parser, fault, of_fault};
+use super::parser::{Parser, of_fault};
 
 impl Parser<'_> {
     /// Gives the last item the primes that follow.
@@ -53,7 +53,12 @@ impl Parser<'_> {
                 _ => break,
             };
             if slot.is_some() && problem.is_none() {
-                problem = Some(fault(token.span, "this base has two subscripts or two superscripts; add braces"));
+                problem = Some(of_fault(match token.kind {
+                    TokenKind::Sub => Fault::new(token.span, "two subscripts follow one symbol")
+                        .help("write both in one, x_{ab}, or put braces around the first, {x_a}_b"),
+                    _ => Fault::new(token.span, "two superscripts follow one symbol")
+                        .help("write both in one, x^{ab}, or put braces around the first, {x^a}^b"),
+                }));
             }
             self.next();
             let sign = self.peek().filter(|next| matches!(next.kind, TokenKind::Other('+' | '-')));

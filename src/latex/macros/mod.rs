@@ -8,6 +8,8 @@
 //! | `parameters` | how a macro takes its arguments |
 //! | `packages` | the macros of packages whose text is fixed, as a table |
 //! | `forms` | the macros of packages whose text depends on what follows: `\dv`, `\qty`, `\mqty` |
+//!
+//! Offers [`Macros`]. Knows tokens, and no symbols.
 
 mod forms;
 mod packages;

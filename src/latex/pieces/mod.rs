@@ -3,6 +3,8 @@
 //! Commas, `\quad`, arrows, words such as `\text{and}`, rows and columns separate statements. A row that starts with a
 //! relation or a sign continues the row before. Where it is not clear what a row continues, or what a comma or a point
 //! means, the part has a fault.
+//!
+//! Offers `pieces`, the statements of a display as items. Knows the layout, and no symbols.
 
 mod alternatives;
 mod asides;
@@ -18,7 +20,7 @@ mod value_lists;
 
 use crate::source::Fault;
 
-use super::layout::{Item, Layout};
+use super::layout::{Item, Layout, typed};
 use super::rows::{is_significant, rows};
 use piece::Link;
 use split::split;
@@ -102,9 +104,14 @@ fn reject_lone_values(pieces: &mut [Piece<'_>]) {
         return;
     }
     for piece in pieces.iter_mut().filter(|piece| !is_whole(piece) && piece.fault.is_none()) {
-        let what = "this part has no relation of its own: it may be one of several values, or share a relation";
+        let items: Vec<Item> = piece.links.iter().flat_map(|link| &link.items).map(|item| (*item).clone()).collect();
+        let what = match items.is_empty() {
+            true => "this part has no relation of its own".to_owned(),
+            false => format!("“{}” stands alone, without a relation of its own", typed(&items)),
+        };
         piece.fault = Some(
-            Fault::ambiguous(piece.span(), what).help("write an equation for each value, and a relation for each name"),
+            Fault::ambiguous(piece.span(), what)
+                .help("write one equation for each value, as in x = 2, and a relation for each name"),
         );
     }
 }

@@ -181,9 +181,8 @@ impl<'a> Splitter<'a, '_> {
             return;
         }
         if let Some(piece) = self.equation() {
-            let what = "an arrow between equations may mean that one follows, or that one becomes the other";
-            let fault =
-                Fault::ambiguous(item.span, what).help("write \\Rightarrow, or each equation in a display of its own");
+            let what = "this arrow may mean “implies” or “tends to”";
+            let fault = Fault::ambiguous(item.span, what).help("write \\Rightarrow, or two displays");
             piece.fault.get_or_insert(fault);
         }
     }
@@ -331,8 +330,8 @@ fn one_of_several<'a>(items: &[&'a Item], row: usize, is_abstract: bool, before:
     piece.links.push(Link { relation: None, sign: None, items: items.to_vec() });
     let is_open = are_open(items);
     if is_open || !is_abstract {
-        let what = "one of these alternatives holds, and the others may not; alternatives are not supported";
-        let fault = |span| Fault::unsupported(span, what).help("write only the case that is meant");
+        let what = "“or” between equations is not supported";
+        let fault = |span| Fault::unsupported(span, what).help("write only one case, or a display for each");
         if let Some(before) = before.filter(|_| is_open) {
             before.fault = Some(fault(before.span()));
         }

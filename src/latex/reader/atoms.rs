@@ -49,7 +49,8 @@ impl Reader<'_> {
             Layout::Fault(fault) => Err(fault.clone()),
             Layout::Unit(units) => self.units(units, span),
             Layout::Rest(order) => self.rest(item, order.as_deref()),
-            Layout::Value(_) => Err(Fault::new(span, "this formula stands for one name, which is not declared here")),
+            Layout::Value(_) => Err(Fault::new(span, "this formula is used as one symbol, and is not declared")
+                .help("declare it under \"formulas as names\" in the claims file")),
             Layout::Number(digits) => {
                 if digits.parse::<f64>().is_ok_and(f64::is_finite) {
                     Ok(Expr::new(Node::Number(digits.clone()), span))
@@ -109,7 +110,7 @@ impl Reader<'_> {
             | Layout::Letter(_)
             | Layout::Space(_)
             | Layout::Row
-            | Layout::Align => Err(unread(item)),
+            | Layout::Align => Err(unread(item, !(self.symbols.open || self.symbols.guessed))),
         }
     }
 
@@ -130,6 +131,8 @@ impl Reader<'_> {
         if !is_element && (starts_differential(numerator) || starts_differential(denominator)) {
             return Err(Fault::unsupported(span, "only derivatives with respect to time are supported"));
         }
+        is_filled(numerator, "the numerator", span)?;
+        is_filled(denominator, "the denominator", span)?;
         let (a, b) = (self.item(numerator)?, self.item(denominator)?);
         Ok(Expr::new(Node::Quotient(Box::new(a), Box::new(b)), span))
     }
@@ -145,6 +148,7 @@ impl Reader<'_> {
                 return Err(Fault::new(span, "the index of a root must be a whole number from 2 up"));
             }
         };
+        is_filled(radicand, "the root", span)?;
         Ok(Expr::new(Node::Root(degree, Box::new(self.item(radicand)?)), span))
     }
 
@@ -361,6 +365,15 @@ impl Reader<'_> {
     }
 }
 
+/// Rejects a group without a formula in it.
+fn is_filled(item: &Item, what: &str, span: Span) -> Read<()> {
+    let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
+    match contents(item).iter().all(is_space) {
+        true => Err(Fault::new(span, format!("{what} is empty")).help("write a formula in it")),
+        false => Ok(()),
+    }
+}
+
 /// A cell without the full stop or the comma at its end.
 fn without_stop(cell: &[Item]) -> &[Item] {
     let is_mark = |item: &Item| matches!(item.layout, Layout::Other('.' | ',' | ';') | Layout::Space(_));
@@ -431,24 +444,23 @@ fn are_entries(items: &[Item]) -> bool {
 }
 
 /// The fault of an item that is no formula by itself.
-fn unread(item: &Item) -> Fault {
+fn unread(item: &Item, has_claims: bool) -> Fault {
     let span = item.span;
     match &item.layout {
         Layout::Scripts { nucleus, sub, .. } => match (&nucleus.layout, sub) {
             (Layout::Fault(fault), _) => fault.clone(),
-            (Layout::Command(name), _) => unknown_command(name, nucleus.span),
+            (Layout::Command(name), _) => unknown_command(name, nucleus.span, has_claims),
             (_, Some(sub)) => {
                 Fault::unsupported(sub.span, "a subscript is supported on a symbol, a vector or a 3×3 matrix only")
             }
             _ => Fault::unsupported(span, "a prime is supported on a symbol only"),
         },
-        Layout::Command(name) => unknown_command(name, span),
+        Layout::Command(name) => unknown_command(name, span, has_claims),
         Layout::Style(name, _) | Layout::Accent(name, _) => {
             Fault::unsupported(span, format!("{name} is not supported here"))
         }
-        Layout::Text(word) if word == "or" => {
-            Fault::unsupported(span, "alternatives are not supported").help("write each case as an equation of its own")
-        }
+        Layout::Text(word) if word == "or" => Fault::unsupported(span, "“or” between formulas is not supported")
+            .help("write each case as an equation of its own"),
         Layout::Text(word) => Fault::unsupported(span, format!("the text “{word}” is not supported here")),
         Layout::Other(',') => Fault::unsupported(span, "a comma is not supported here")
             .help("write an equation for each value; write numbers as 1000 and 1.5"),

@@ -118,11 +118,10 @@ impl Reader<'_> {
                 None => return Err(unknown_formula(&name, span)),
             },
             Node::Symbol { .. } => {
-                return Err(Fault::ambiguous(
-                    span,
-                    "a dot on a function of something else may be its rate or a derivative",
-                )
-                .help("write \\frac{d}{dt} for the rate, and a prime for the derivative"));
+                let what = format!("\\dot {name} may be d{name}/dt or the derivative of {name} by its argument");
+                return Err(
+                    Fault::ambiguous(span, what).help(format!("write \\frac{{d}}{{dt}} {name}(…) or {name}'(…)"))
+                );
             }
             _ => value,
         };

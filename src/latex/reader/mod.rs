@@ -24,6 +24,8 @@
 //!
 //! The grammar is recursive, hence all of them are methods of one `Reader`; each file imports only `state` and `items`.
 //!
+//! Offers `Reader`, and [`read_formula`] for a formula alone.
+//!
 //! # The rules
 //!
 //! *Products.* Letters side by side are factors, `MgR` is three; a declared name is always one symbol, with its accents
@@ -61,6 +63,7 @@ mod integrals;
 pub(super) mod items;
 mod partial_derivatives;
 mod products;
+mod slashes;
 mod state;
 pub(super) mod structure;
 mod sums;

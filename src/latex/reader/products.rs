@@ -5,9 +5,10 @@ use crate::formula::symbols::{Entry, Kind};
 use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Item, Layout, typed};
 use super::super::names::unaccented;
 use super::items::{Joint, beside, extent, joint};
+use super::slashes;
 use super::state::{Read, Reader};
 use super::undeclared::bar;
 
@@ -37,17 +38,19 @@ impl Factors {
     }
 
     /// Takes the operator before the next factor.
-    fn join(&mut self, found: Joint, span: Span) -> Read<()> {
+    fn join(&mut self, found: Joint, items: &[Item], at: usize) -> Read<()> {
+        let span = items[at].span;
         if self.operator.is_some() || self.is_empty() {
-            return Err(Fault::new(span, "a factor is missing before this operator"));
+            let operator = typed(&items[at..=at]);
+            return Err(Fault::new(span, format!("a factor is missing before this {operator}"))
+                .help(format!("write it, or remove the {operator}")));
         }
         if found == Joint::Slash {
             if let Some(function) = self.open_function {
-                return Err(Fault::ambiguous(function.to(span), "\\sin x/y may be (\\sin x)/y or \\sin(x/y)")
-                    .help("put the argument in parentheses, or use \\frac"));
+                return Err(slashes::after_a_function(items, function, at));
             }
             if self.after_slash.is_some() {
-                return Err(Fault::ambiguous(span, "a/b/c may be (a/b)/c or a/(b/c)").help("use \\frac or parentheses"));
+                return Err(slashes::two(items, at));
             }
         }
         self.next = found;
@@ -99,13 +102,12 @@ impl Reader<'_> {
                 continue;
             }
             if let Some(found) = joint(item) {
-                factors.join(found, item.span)?;
+                factors.join(found, items, cursor)?;
                 cursor += 1;
                 continue;
             }
             if let (Joint::Beside, Some(slash)) = (factors.next, factors.after_slash) {
-                return Err(Fault::ambiguous(slash.to(item.span), "a/bc may be a/(bc) or (a/b)c")
-                    .help("write \\frac{a}{bc} or \\frac{a}{b}c"));
+                return Err(slashes::before_a_product(items, slash.to(item.span), cursor));
             }
             if let Some(limits) = bar(item) {
                 let before = cursor.checked_sub(1).map(|before| &items[before]);
@@ -130,7 +132,10 @@ impl Reader<'_> {
             factors.push(factor, items[start].span);
         }
         if let Some(span) = factors.operator {
-            return Err(Fault::new(span, "no factor follows this operator"));
+            let operator = items.iter().filter(|item| item.span == span).cloned().collect::<Vec<_>>();
+            let operator = typed(&operator);
+            return Err(Fault::new(span, format!("a factor is missing after this {operator}"))
+                .help(format!("write it, or remove the {operator}")));
         }
         let product = self.join(factors.runs, whole)?;
         self.has_no_implied_sum(&product)?;

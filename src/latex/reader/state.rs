@@ -44,25 +44,56 @@ impl Reader<'_> {
     }
 }
 
-/// The fault for a command that has no meaning where it stands.
-pub(super) fn unknown_command(name: &str, span: Span) -> Fault {
+/// The fault for a command that has no meaning where it stands. `has_claims` says whether a claims file declares the symbols,
+/// so that it can leave the equation out.
+pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault {
+    let not_supported = |what: &str| {
+        let fault = Fault::unsupported(span, format!("{what} is not supported"));
+        match has_claims {
+            true => fault.help("leave the equation out with \"skip\" in the claims file"),
+            false => fault,
+        }
+    };
     match name {
         "\\log" => {
             Fault::ambiguous(span, "\\log x may be the natural logarithm, \\ln x, or the decimal one, \\ln x/\\ln 10")
                 .help("write \\ln x, or \\frac{\\ln x}{\\ln 10}")
         }
         "\\pm" | "\\mp" => Fault::new(span, "± must stand where + or − can stand"),
-        "\\partial" | "\\nabla" => Fault::unsupported(span, format!("{name} is not supported"))
-            .help("leave the equation out with \"skip\" in the claims file"),
+        "\\partial" | "\\nabla" | "\\prod" | "\\iint" | "\\iiint" | "\\oint" => not_supported(name),
+        "\\forall" | "\\exists" | "\\subset" | "\\subseteq" | "\\supset" | "\\cap" | "\\emptyset" => {
+            not_supported(name)
+        }
+        "\\in" | "\\notin" | "\\ni" => {
+            Fault::unsupported(span, format!("{name} is not supported")).help(match has_claims {
+                true => "declare the range of the symbol in the claims file, and leave this out with \"skip\"",
+                false => "declare the range of the symbol in a claims file",
+            })
+        }
+        _ if is_arrow(name) => {
+            Fault::unsupported(span, "an arrow between two formulas is not supported").help(match has_claims {
+                true => "write an equation, or leave this out with \"skip\" in the claims file",
+                false => "write an equation",
+            })
+        }
         "\\underbrace" | "\\overbrace" => {
             Fault::unsupported(span, "a formula as the label of a brace is not supported")
                 .help("write the label in \\text{…}, or remove the brace")
         }
-        "\\prod" | "\\iint" | "\\iiint" | "\\oint" => Fault::unsupported(span, format!("{name} is not supported")),
         "\\cup" => Fault::unsupported(span, "\\cup joins families of symbols, and is supported under \"where\" only")
             .help("say under \"where\" what the name of the family means in this equation"),
-        _ => Fault::new(span, format!("the command {name} is unknown"))
-            .code(Code::UnknownCommand)
-            .help("if it is your own macro, define it under \"macros\" in the claims file"),
+        _ => {
+            Fault::new(span, format!("the command {name} is unknown")).code(Code::UnknownCommand).help(match has_claims
+            {
+                true => "if it is your own macro, define it under \"macros\" in the claims file",
+                false => "if it is your own macro, define it with \\newcommand, or under \"macros\" in a claims file",
+            })
+        }
     }
+}
+
+/// Whether a command prints an arrow.
+fn is_arrow(name: &str) -> bool {
+    let plain = name.trim_start_matches('\\').to_ascii_lowercase();
+    plain.ends_with("arrow") || plain.ends_with("mapsto") || plain.contains("harpoon")
 }

@@ -67,8 +67,11 @@ impl Reader<'_> {
                 self.symbols.entry(*id).unread && self.symbols.entry(*id).name.mentions(letter)
             };
             if body.symbols().iter().any(is_about_it) {
-                return Err(Fault::unsupported(body.span, format!("nothing says what this is for each {letter}"))
-                    .help("declare the quantity itself, with its index, instead of the formula"));
+                return Err(Fault::unsupported(
+                    body.span,
+                    format!("this quantity needs the index {letter} to be summed over"),
+                )
+                .help(format!("declare it with its index {letter}, in place of the formula")));
             }
             let node = Node::SumOver { index, implied: false, except, within, body: Box::new(body) };
             body = Expr::new(node, span);

@@ -10,7 +10,7 @@ use crate::formula::symbols::Name;
 use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Delimiter, Item, Layout};
+use super::super::layout::{Delimiter, Item, Layout, typed};
 use super::super::names;
 use super::items::{contents, is_minus_one, is_number, is_numeric_item, is_transpose, whole_number};
 use super::state::{Read, Reader};
@@ -129,7 +129,7 @@ impl Reader<'_> {
             };
         }
         if self.is_level(self.name_of(base).0, sup) {
-            return Err(Fault::ambiguous(span, "what stands above may be the number of a step or a power")
+            return Err(unclear(span, sup, "the number of a step or a power")
                 .help("write the number of the step as a subscript, u_n; write a power as (u)^n"));
         }
         match marks.as_slice() {
@@ -182,7 +182,7 @@ impl Reader<'_> {
             let (_, below) = self.name_of(base);
             let above = &found.name.subscript;
             if !above.is_empty() && !below.is_empty() && below != above.as_slice() {
-                return Err(Fault::ambiguous(span, "what stands above may be indices, a label or a power")
+                return Err(unclear(span, sup, "an index, a label or a power")
                     .help("write indices as a subscript; write a power as (x_1)^{n_2}"));
             }
         }
@@ -198,7 +198,7 @@ impl Reader<'_> {
             found.len() == marks.len() && found.len() == 1 && found[0].name.base.starts_with(char::is_uppercase);
         let is_symbol = matches!(base.node, Node::Symbol { .. } | Node::Apply(..));
         if self.symbols.open && is_symbol && are_indexed && (is_row || is_frame) {
-            return Err(Fault::ambiguous(span, "what stands above may be indices, a label or a power")
+            return Err(unclear(span, sup, "an index, a label or a power")
                 .help("write indices as a subscript; write a power as a product in parentheses, x^{(a \\cdot b)}"));
         }
         if self.symbols.open && whole_number(sup) == Some(5) && self.name_of(base).0 == "\\gamma" {
@@ -221,7 +221,7 @@ impl Reader<'_> {
         }
         let is_unclear = |letter: &String| self.symbols.inferred.unclear_letters.contains(letter);
         if self.symbols.guessed && letters.iter().any(is_unclear) && !matches!(base.node, Node::Number(_)) {
-            return Err(Fault::ambiguous(span, "what stands above may be an index or a power")
+            return Err(unclear(span, sup, "an index or a power")
                 .help("write indices as a subscript; for a power, use a letter that is no index elsewhere"));
         }
         match self.symbols.open {
@@ -297,7 +297,7 @@ fn is_unlikely_index(
         _ => true,
     };
     match may_be_index {
-        true => Err(Fault::ambiguous(span, "what stands above may be indices, a label or a power").help(
+        true => Err(unclear(span, sup, "an index, a label or a power").help(
             "write indices and labels as a subscript; write a power as a product in parentheses, x^{(a \\cdot b)}",
         )),
         false => Ok(()),
@@ -313,8 +313,14 @@ fn is_bar(delimiter: Delimiter) -> bool {
     matches!(delimiter, Delimiter::Bar | Delimiter::PlainBar | Delimiter::DoubleBar)
 }
 
+/// A superscript with several meanings, which are named.
+fn unclear(span: Span, sup: &Item, meanings: &str) -> Fault {
+    Fault::ambiguous(span, format!("the superscript {} may be {meanings}", typed(contents(sup))))
+}
+
 fn mark(span: Span) -> Fault {
-    Fault::unsupported(span, "this superscript is no power, and is not supported").help("use another name, such as x_+")
+    Fault::unsupported(span, "this superscript is not a power, and is not supported")
+        .help("use another name, such as x_+")
 }
 
 fn label(span: Span) -> Fault {

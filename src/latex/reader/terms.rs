@@ -4,7 +4,7 @@ use crate::code::Code;
 use crate::formula::tree::{Expr, Node, Sign, Term};
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Item, Layout, typed};
 use super::super::names;
 use super::functions::written_out;
 use super::items::{extent, function_head, is_any_integral, is_big_product, is_big_sum, is_integral, is_limit, joint};
@@ -68,7 +68,10 @@ impl Reader<'_> {
             terms.push(Term { sign, sign_span, expr: self.term(slice)? });
         }
         if let Some((_, span)) = pending {
-            return Err(Fault::new(span, "no term follows this sign"));
+            let sign = items.iter().filter(|item| item.span == span).cloned().collect::<Vec<_>>();
+            let sign = typed(&sign);
+            return Err(Fault::new(span, format!("a term is missing after this {sign}"))
+                .help(format!("write it, or remove the {sign}")));
         }
         if terms.len() > 1
             && let Some(dots) = dots_after_a_factor(items)
@@ -77,7 +80,7 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(dots, what).help("write + \\dots for terms that are left out"));
         }
         match terms.len() {
-            0 => Err(Fault::new(whole, "a formula is missing here")),
+            0 => Err(Fault::new(whole, "a formula is missing here").help("write a formula at this place")),
             1 if terms[0].sign == Sign::Plus => Ok(terms.remove(0).expr),
             _ => Ok(Expr::new(Node::Sum(terms), whole)),
         }

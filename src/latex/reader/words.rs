@@ -9,7 +9,7 @@ use crate::formula::symbols::Symbols;
 use crate::formula::tree::Function;
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Delimiter, Item, Layout};
+use super::super::layout::{Delimiter, Item, Layout, typed};
 use super::super::names;
 use super::items::{is_number, is_numeric, is_numeric_item};
 use super::state::{Read, Reader};
@@ -145,9 +145,7 @@ impl Reader<'_> {
         // `2\sqrt{3}` is a product, and no mixed number.
         let is_fraction = is_numeric_item(item) && !matches!(item.layout, Layout::Root(..));
         if matches!(before.layout, Layout::Number(_)) && (is_fraction || is_number(item)) {
-            return Err(
-                Fault::ambiguous(span, "2 3 may be the product 2·3 or the number 23").help("write \\cdot between them")
-            );
+            return Err(two_numbers(before, item, is_fraction));
         }
         let touches = !matches!(items[at - 1].layout, Layout::Space(_));
         // A solid angle, `(a + b)4\pi r^2`, is a factor.
@@ -174,6 +172,28 @@ impl Reader<'_> {
             );
         }
         Ok(())
+    }
+}
+
+/// The fault of two numbers side by side: `2 3`, `2\frac12`, `1.2.3`.
+fn two_numbers(before: &Item, item: &Item, is_fraction: bool) -> Fault {
+    let span = before.span.to(item.span);
+    let (first, second) = (typed(std::slice::from_ref(before)), typed(std::slice::from_ref(item)));
+    if second.starts_with('.') && before.span.end == item.span.start {
+        return Fault::new(span, format!("{first}{second} is not a number"))
+            .help("write one decimal point in a number");
+    }
+    match is_fraction {
+        true => Fault::ambiguous(
+            span,
+            format!("{first}{second} may be the product {first}·{second} or the sum {first} + {second}"),
+        )
+        .help("write \\cdot or + between them"),
+        false => Fault::ambiguous(
+            span,
+            format!("{first} {second} may be the product {first}·{second} or the number {first}{second}"),
+        )
+        .help("write \\cdot between them"),
     }
 }
 

@@ -8,6 +8,8 @@
 //! An [`Edit`] replaces one range of bytes. The rest of the author's text stays as it is. The expansion of a macro
 //! has no bytes of its own; only the whole call is edited.
 //!
+//! Offers [`slips`], [`corrections`] and [`of_like_terms`]. Knows the layout, the reader and symbols; nothing of verdicts.
+//!
 //! # Why slips are edits of the text
 //!
 //! A slip is made by typing and corrected by typing. So slips are found in what is typeset, with their bytes,

@@ -4,6 +4,8 @@
 //! are. Names that the notes define stand for their formulas. So its terms can be lined up with the derived ones
 //! ([`Lineup`]), and its two sides drawn ([`Sides`]). What cannot be read so has neither. No verdict depends on it: it
 //! only explains.
+//!
+//! Offers [`Beside`] and [`Sides`]. Knows `derive`, `latex`, `formula` and `mechanics`.
 
 mod defined;
 mod lineup;

@@ -4,6 +4,8 @@
 //! polynomials up to a chosen degree. With masses as weights, nodes are also a set of particles.
 //!
 //! This folder knows numbers only.
+//!
+//! Offers both.
 
 pub mod bodies;
 mod rules;

@@ -6,6 +6,8 @@
 //!
 //! This folder knows numbers, [`State`](super::State) and the nodes of a body ([`quadrature`](super::quadrature)). It
 //! knows nothing of traced systems.
+//!
+//! Offers `rotations`, `frames` and `inertia`.
 
 pub mod frames;
 pub mod inertia;

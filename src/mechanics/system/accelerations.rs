@@ -1,4 +1,5 @@
-//! Fast accelerations: for one state after another without allocation, and for many states in blocks.
+//! Fast accelerations: for one state after another without allocation, and for many states in blocks. Simulations, pictures and
+//! benchmarks use them; a check takes the motion of `traced_system`.
 //!
 //! Both run a [`Program`] compiled from the tape of the accelerations, which solves for them without exchange of rows.
 //! Its pivots show whether that lost digits. If so, the state is computed again with partial pivoting and a check of

@@ -1,4 +1,5 @@
-//! Gaussian elimination of M a = −h for a symmetric mass matrix M, without exchange of rows, as it is traced.
+//! Gaussian elimination of M a = −h for a symmetric mass matrix M, without exchange of rows, as it is traced. Only `tracing` uses
+//! it, for the program of the fast accelerations.
 
 use super::layout::Layout;
 use crate::mechanics::tape::Tape;

@@ -8,6 +8,8 @@
 //!
 //! This folder imports the Lagrangian's trait, tapes, the linear solver and Newton's method from [`mechanics`](super),
 //! and numbers from [`scalar`](crate::scalar).
+//!
+//! Offers [`System`], its [`AccelerationEvaluator`] and [`Quantities`].
 
 mod accelerations;
 mod any_lagrangian;

@@ -1,4 +1,5 @@
-//! The traced system: tapes of all quantities that follow from a Lagrangian, and their evaluation.
+//! The traced system: tapes of all quantities that follow from a Lagrangian, and their evaluation. Every check takes its motion,
+//! accelerations and higher derivatives from here (`motion_with`, called in `crate::check::state::system_values`).
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 

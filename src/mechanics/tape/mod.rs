@@ -2,6 +2,8 @@
 //!
 //! A tape runs over any kind of number ([`Tape::evaluate`]). Its constants are those of the traced function, with no
 //! further rounding. Optimisations for `f64` change a copy only, the [`program`].
+//!
+//! Offers [`Tape`] and its operations. Knows numbers and the graphs of `scalar`.
 
 use crate::scalar::{Function, Graph, Number, Symbol, each};
 

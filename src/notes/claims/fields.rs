@@ -46,6 +46,12 @@ impl<'a> Fields<'a> {
         self.entries.iter().find(|(key, _)| key.value == name).map(|(key, value)| (key, value))
     }
 
+    /// The key whose value stands around a place.
+    pub fn key_at(&self, place: Span) -> Option<&'a str> {
+        let found = self.entries.iter().find(|(_, value)| value.span.contains(place));
+        found.map(|(key, _)| key.value.as_str())
+    }
+
     pub fn get(&self, name: &str) -> Option<&'a Json> {
         self.entry(name).map(|(_, value)| value)
     }
@@ -151,6 +157,7 @@ pub(super) fn word<T: Copy>(written: &Text, name: &str, words: &[(&str, T)]) -> 
     let fault = Fault::claims(written.span, format!("\"{name}\" cannot be \"{}\"", written.value));
     let list = words.iter().map(|(word, _)| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
     Err(match nearest(&written.value, words.iter().map(|(word, _)| *word)) {
+        _ if words.len() == 1 => fault.help(format!("the only value is {list}")),
         Some(word) => fault.help(format!("did you mean \"{word}\"? Use one of {list}")),
         None => fault.help(format!("use one of {list}")),
     })

@@ -2,6 +2,8 @@
 //!
 //! Every value is typed and has its place; LaTeX stays text. A key that is unknown or not supported yet is an error.
 //!
+//! Offers [`Claims`], and the schema of the file. Knows JSON with places, and addresses; no LaTeX is read.
+//!
 //! # Why the claims are JSON beside the notes
 //!
 //! Notes may belong to someone else. Equation numbers are text in JSON (`2.10` is a number in YAML and a dotted key
@@ -237,8 +239,8 @@ fn document(json: &Json, source: &Arc<Source>, path: &Path) -> Result<Claims, Fa
     let turned = rotations.iter().map(|(name, _)| name).chain(axes.iter().map(|(name, _)| name));
     let spread = continua.iter().map(|continuum| &continuum.name);
     let tied = means.iter().chain(&define).map(|(name, _)| name);
-    once(declared.chain(turned).chain(spread).chain(tied), source)?;
-    once(units.iter().map(|(name, _)| name), source)?;
+    once(declared.chain(turned).chain(spread).chain(tied), &fields, source)?;
+    once(units.iter().map(|(name, _)| name), &fields, source)?;
     Ok(Claims {
         source: source.clone(),
         path: path.to_owned(),
@@ -396,12 +398,20 @@ fn sentences(fields: &Fields<'_>, source: &Source) -> Result<Vec<Sentence>, Faul
 }
 
 /// Rejects a symbol that is declared twice. `V` and `V(r)` are one symbol.
-fn once<'a>(names: impl Iterator<Item = &'a Text>, source: &Source) -> Result<(), Fault> {
+fn once<'a>(names: impl Iterator<Item = &'a Text>, fields: &Fields<'_>, source: &Source) -> Result<(), Fault> {
     let mut seen: std::collections::HashMap<String, Span> = std::collections::HashMap::new();
     for name in names {
         if let Some(first) = seen.insert(normalized(head(&name.value)), name.span) {
             let (line, column) = source.line_column(first.start);
-            let message = format!("{} is declared twice; first at {line}:{column}", name.value);
+            let keys = [first, name.span].map(|span| fields.key_at(span).unwrap_or("the claims file"));
+            let message = match keys {
+                [one, other] if one == other => {
+                    format!("{} is declared twice under \"{one}\"; first at {line}:{column}", name.value)
+                }
+                [one, other] => {
+                    format!("{} is declared under \"{one}\", at {line}:{column}, and under \"{other}\"", name.value)
+                }
+            };
             return Err(Fault::claims(name.span, message).help("remove one of the two declarations"));
         }
     }

@@ -3,6 +3,8 @@
 //! A [`Format`] is one value. Its `view` gives the document as Markdown or TeX text in which every byte has its place in a
 //! file, so that the search for displays, the checks and the repairs are the same for all formats. Another format is one
 //! file in this folder and one entry in [`ALL`].
+//!
+//! Offers [`Format`] and [`ALL`]. Knows texts and places in them, and nothing of displays.
 
 mod asciidoc;
 mod blocks;

@@ -2,6 +2,8 @@
 //!
 //! The explanations of the codes are in [`crate::code`], those of the verdicts in [`verdicts`]. Each has an example in
 //! [`examples`]: files that get this verdict or code. A test runs them as they are printed.
+//!
+//! Offers [`topic`], the text on a verdict or a code. Knows the codes and verdicts, and nothing of a document.
 
 mod examples;
 mod verdicts;

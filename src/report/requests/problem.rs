@@ -6,6 +6,7 @@ use crate::code::Code;
 use crate::source::{FileEdit, Place};
 
 use super::super::code;
+use super::super::headline::headline;
 
 /// An equation, a sentence or an error that a report is about.
 pub(super) struct Problem<'a> {
@@ -45,7 +46,7 @@ pub(super) fn problem<'a>(document: &'a Document, item: &'a Equation) -> Problem
     });
     Problem {
         code: finding.code,
-        message: format!("({}) is {}: {}", item.id, finding.verdict, finding.message),
+        message: headline(item, finding),
         place: Some(document.source.place(finding.span)),
         edits: edits.collect(),
         help: None,

@@ -9,6 +9,8 @@
 //! number is [`Enclosure::is_known`] no more, and nothing is concluded from it.
 //!
 //! This folder knows the numeric traits of `scalar`, and nothing of formulas or mechanics.
+//!
+//! Offers both.
 
 use std::cell::RefCell;
 use std::cmp::Ordering;

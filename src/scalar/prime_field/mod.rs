@@ -25,6 +25,8 @@
 //! constants of `scalar`, and nothing of formulas or mechanics. Its files import in this order: `residue`,
 //! `unit_circle`, `modulus`, `denominators`, `angle`, `number`, `comparisons`, `square_roots` and `simple_numbers`,
 //! `evaluation`, then `operations`, `arithmetic`, `exponentials` and `false_accept_bound`.
+//!
+//! Offers [`Modular`], [`evaluate_at_point`] and [`false_accept_log2`].
 
 mod angle;
 mod arithmetic;

@@ -123,14 +123,26 @@ fn ranges() {
 
 #[test]
 fn a_symbol_declared_twice() {
-    for (rest, second) in [
-        ("\"constants\": { \"M\": \"> 0\", \"g, M\": \"> 0\" }", "M"),
-        ("\"coordinates\": { \"p_{\\\\psi}\": \"any\" }, \"constants\": { \"p_ \\\\psi\": \"any\" }", "p_ \\\\psi"),
-        ("\"functions\": { \"V\": \"of r\" }, \"constants\": { \"V\": \"> 0\" }", "V"),
-        ("\"constants\": { \"T\": \"> 0\" }, \"means\": { \"T\": \"kinetic energy\" }", "T"),
+    for (rest, second, keys) in [
+        ("\"constants\": { \"M\": \"> 0\", \"g, M\": \"> 0\" }", "M", ["twice under \"constants\"", "first at 1:"]),
+        (
+            "\"coordinates\": { \"p_{\\\\psi}\": \"any\" }, \"constants\": { \"p_ \\\\psi\": \"any\" }",
+            "p_ \\\\psi",
+            ["declared under \"coordinates\", at 1:", "and under \"constants\""],
+        ),
+        (
+            "\"functions\": { \"V\": \"of r\" }, \"constants\": { \"V\": \"> 0\" }",
+            "V",
+            ["under \"functions\"", "under \"constants\""],
+        ),
+        (
+            "\"constants\": { \"T\": \"> 0\" }, \"means\": { \"T\": \"kinetic energy\" }",
+            "T",
+            ["declared under \"constants\", at 1:", "and under \"means\""],
+        ),
     ] {
         let (error, at) = refused(&with(rest));
-        assert!(error.contains("declared twice; first at 1:"), "{error}");
+        assert!(keys.iter().all(|key| error.contains(key)), "{error}");
         assert_eq!(at, second);
     }
     assert!(claims(&with("\"constants\": { \"M, m, F_{(a)}, F_{(b)}\": \"> 0\", \"\\\\bar M\": \"> 0\" }")).is_ok());

@@ -35,7 +35,7 @@ fn what_is_small() {
         (r#""small": "x", "order": "1""#, "must be a number", "\"1\""),
         (r#""small": "x,""#, "a name is missing", "\"x,\""),
         (r#""small": []"#, "empty list", "[]"),
-        (r#""units": "on""#, "use one of \"off\"", "\"on\""),
+        (r#""units": "on""#, "the only value is \"off\"", "\"on\""),
         (r#""for each": ["i"]"#, "must be a string", "[\"i\"]"),
     ] {
         let (error, place) = refused(&equation(text));

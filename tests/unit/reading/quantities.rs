@@ -67,7 +67,7 @@ fn what_is_no_unit_stays_what_it_is() {
         (r"5\ \text{J/kg K}", "divide by the next unit only"),
         (r"9.8\,\text{ms}^{-2}", "a metre per second"),
         (r"t = 5\,\mathrm{min}\,30\,\mathrm{s}", "a sum or a product"),
-        (r"1/2\ \text{m}", "a/(bc)"),
+        (r"1/2\ \text{m}", r"may be 1/(2\,\text{m}) or (1/2)\,\text{m}"),
         (r"25^\circ\mathrm{C}", "its zero is not that of the kelvin"),
         (r"\SI{25}{\celsius}", "not supported"),
     ] {

@@ -7,6 +7,9 @@
 //! A quantity beside a letter, `m = 2.0\,\text{kg}`, gives the letter a value in an example, and says nothing about it
 //! elsewhere: it is no definition, and no premise. Numbers that are put into a formula must have its shape, each letter one
 //! value; where they have another one, nothing is said about them.
+//!
+//! Offers `measured`, the finding on a result with units, `misfit`, and `compared` for two numbers. Knows `document`, `sample` and
+//! below.
 
 mod natural;
 mod quantity;
@@ -127,7 +130,8 @@ impl Checker<'_> {
                 context.finding(Code::Introduced, Verdict::Definition, format!("puts in {}", values.join(", ")))
             }
             None => {
-                let message = format!("numbers stand for {shown} here, and were not compared with it");
+                let message =
+                    format!("numbers are inserted for {shown} here; they were not compared with earlier values of it");
                 context.finding(Code::Assumed, Verdict::Assumed, message)
             }
         }
@@ -278,7 +282,7 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
     let (computed, shown) = match &printed {
         [_, Some(right)] => (a.value, right),
         [Some(left), _] => (b.value, left),
-        _ if !is_apart => return undecided(context, "the numbers agree only as far as they are rounded"),
+        _ if !is_apart => return undecided(context, "the numbers agree only within their rounding"),
         _ => {
             let message = format!("the left side is {}, and the right side {}", in_si(&a), in_si(&b));
             return context.finding(Code::NumbersDiffer, Verdict::Refuted, message);
@@ -293,7 +297,7 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
         }
         false => undecided(
             context,
-            format!("the numbers give {computed}; what is printed agrees only as far as they are rounded"),
+            format!("the numbers give {computed}; the printed value agrees only within their rounding"),
         ),
     }
 }

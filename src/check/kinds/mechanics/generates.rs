@@ -23,10 +23,11 @@ use crate::check::model::Model;
 use crate::check::model::meaning::{Meaning, Quantity};
 use crate::check::sample::context::Context;
 use crate::check::sample::setting::FEWEST;
+use crate::check::sample::without_value;
 use crate::check::state::sampled_state::SampledState;
 use crate::check::state::{counterexample, residual};
 use crate::check::verdict::Verdict;
-use crate::check::verdict::finding::{Counterexample, Finding};
+use crate::check::verdict::finding::{Compared, Counterexample, Finding};
 
 /// Checks that `hamiltonian`, a formula of coordinates and momenta, generates the motion of the system.
 ///
@@ -85,6 +86,7 @@ fn judged(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
                     lhs: printed.value,
                     rhs: derived.value,
                     entry: Some(equation.clone()),
+                    compared: Compared::Sides,
                 };
                 let message = format!("Hamilton's equations from this formula do not give {equation}");
                 return Ok(Finding {
@@ -100,14 +102,9 @@ fn judged(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
         points += 1;
     }
     if points < FEWEST.min(context.options.points) {
-        return Ok(context.finding(
-            Code::TooFewStates,
-            Verdict::Undecided,
-            format!(
-                "only {points} of {} sampled states gave a number; narrow the ranges (for example, assume v < c)",
-                ensemble.tried
-            ),
-        ));
+        let part = without_value::part(&[hamiltonian], &ensemble.states);
+        let message = without_value::message((points, ensemble.tried), part.as_ref(), context.model);
+        return Ok(context.finding(Code::TooFewStates, Verdict::Undecided, message));
     }
     let finding = Finding {
         points,

@@ -26,7 +26,7 @@ use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::meaning::{Meaning, is_angle};
 use crate::check::model::sampling::Spread;
-use crate::check::sample::context::Context;
+use crate::check::sample::context::{Context, NO_EQUALITY};
 use crate::check::sample::sampler::{Sampler, contains};
 use crate::check::state::residual;
 use crate::check::verdict::Verdict;
@@ -97,14 +97,14 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
             Observation::Open(code, message) => {
                 return Finding { points, tried, ..context.finding(code, Verdict::Undecided, message) };
             }
-            Observation::Fails { at, found, wanted, what } => {
+            Observation::Fails { at, found, wanted, compared, what } => {
                 let mut state: Vec<(String, f64)> =
                     atoms.iter().filter(|(id, _)| *id != variable).map(|(id, x)| (model.name(*id), *x)).collect();
                 state.extend(at.map(|x| (model.name(variable), x)));
                 return Finding {
                     points: points + 1,
                     tried,
-                    counterexample: Some(Counterexample { state, lhs: found, rhs: wanted, entry: None }),
+                    counterexample: Some(Counterexample { state, lhs: found, rhs: wanted, entry: None, compared }),
                     ..context.finding(Code::FunctionShapeFails, Verdict::Refuted, what)
                 };
             }
@@ -117,7 +117,7 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
         return Finding { points, tried, ..context.finding(Code::TooFewStates, Verdict::Undecided, message) };
     }
     let message = format!("holds at {points} sampled states, special ones included");
-    Finding { points, tried, ..context.verified(message, "all values of a function") }
+    Finding { points, tried, ..context.verified(message, NO_EQUALITY) }
 }
 
 fn is_momentum(quantity: crate::check::model::meaning::Quantity) -> bool {

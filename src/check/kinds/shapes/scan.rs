@@ -22,6 +22,7 @@ use crate::check::model::Model;
 use crate::check::model::claim::Hypothesis;
 use crate::check::sample::sampler::last;
 use crate::check::state::residual;
+use crate::check::verdict::finding::Compared;
 
 /// The ratio of the finer grid to the usual one.
 const FINER: u32 = 3;
@@ -54,6 +55,8 @@ pub(crate) enum Observation {
         found: f64,
         /// The value or number that is claimed.
         wanted: f64,
+        /// What these two are.
+        compared: Compared,
         /// The message.
         what: String,
     },
@@ -169,7 +172,8 @@ impl Probe<'_> {
                     return Observation::Holds;
                 }
                 let what = format!("there are {found} real solutions for {name}, not {wanted}");
-                Observation::Fails { at: None, found: found as f64, wanted: *wanted as f64, what }
+                let compared = Compared::Counts("real solutions");
+                Observation::Fails { at: None, found: found as f64, wanted: *wanted as f64, compared, what }
             }
             Shape::TendsTo { end, formula, target } => self.tends((*end, formula), target, range),
             _ => self.along(shape, range, &name),
@@ -203,8 +207,10 @@ impl Probe<'_> {
             let (sign, slope_sign) = (clear(value), clear(slope));
             positive |= sign > 0.0;
             negative |= sign < 0.0;
-            let fails =
-                |found: f64, what: &str| Observation::Fails { at: Some(x), found, wanted: 0.0, what: what.to_owned() };
+            let fails = |found: f64, what: &str| {
+                let (compared, what) = (Compared::AtAPlace, what.to_owned());
+                Observation::Fails { at: Some(x), found, wanted: 0.0, compared, what }
+            };
             let step = last_value.map(|last: RunningError| clear(value - last));
             last_value = Some(value);
             match shape {
@@ -231,7 +237,8 @@ impl Probe<'_> {
                 }
                 Shape::Independent if has_changed(first, value) => {
                     let what = "the function has another value at this state".to_owned();
-                    return Observation::Fails { at: Some(x), found: value.value, wanted: first.value, what };
+                    let compared = Compared::AtAPlace;
+                    return Observation::Fails { at: Some(x), found: value.value, wanted: first.value, compared, what };
                 }
                 _ => {}
             }
@@ -250,7 +257,8 @@ impl Probe<'_> {
         {
             return fails;
         }
-        let fails = |what: String| Observation::Fails { at: None, found: 0.0, wanted: 0.0, what };
+        let compared = Compared::Nothing;
+        let fails = |what: String| Observation::Fails { at: None, found: 0.0, wanted: 0.0, compared, what };
         match shape {
             Shape::ChangesSign if !positive => fails(format!("the function is nowhere positive along {name}")),
             Shape::ChangesSign if !negative => fails(format!("the function is nowhere negative along {name}")),
@@ -271,8 +279,9 @@ impl Probe<'_> {
             Some(finer) if finer != found => Observation::Open(Code::TooClose, counts_differ(name, what, found, finer)),
             _ if found == wanted => Observation::Holds,
             _ => {
+                let compared = Compared::Counts(what);
                 let what = format!("the function has {found} {what} along {name}, not {wanted}");
-                Observation::Fails { at: None, found: found as f64, wanted: wanted as f64, what }
+                Observation::Fails { at: None, found: found as f64, wanted: wanted as f64, compared, what }
             }
         }
     }
@@ -291,7 +300,8 @@ impl Probe<'_> {
             };
             if reaches {
                 let what = "the function reaches zero at this state".to_owned();
-                return Some(Observation::Fails { at: Some(x), found: pair[0].3 * least, wanted: 0.0, what });
+                let (found, compared) = (pair[0].3 * least, Compared::AtAPlace);
+                return Some(Observation::Fails { at: Some(x), found, wanted: 0.0, compared, what });
             }
         }
         None
@@ -353,7 +363,8 @@ impl Probe<'_> {
                     true => "the function does not diverge there",
                     false => "the function does not tend to this value",
                 };
-                Observation::Fails { at: Some(at), found, wanted, what: what.to_owned() }
+                let (compared, what) = (Compared::AtAPlace, what.to_owned());
+                Observation::Fails { at: Some(at), found, wanted, compared, what }
             }
             Course::Open => {
                 let name = typeset_name(self.model, self.variable);

@@ -156,8 +156,8 @@ impl Judge<'_, '_> {
         {
             let name = implied.name(self.quiet);
             let because = match self.open.contains(&implied.symbol()) {
-                true => format!("says what {name} is, which the problem leaves open"),
-                false => format!("defines {name}, which the problem does not have"),
+                true => format!("defines {name}, which the problem leaves open"),
+                false => format!("defines {name}, which the problem does not use"),
             };
             self.implied.extend(all);
             return Ok(Some(given(because)));

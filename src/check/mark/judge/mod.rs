@@ -1,4 +1,7 @@
 //! The mark of each line: whether it holds in the problem, and if not, whether it follows from a false line before it.
+//!
+//! Offers `judge`, the marks of all lines, and `judge_quickly`, which gives up where another way to take the letters is better. Knows
+//! `carried`, `written` and `world` of `mark`, and `document` and below.
 
 use crate::Result;
 use crate::code::Code;
@@ -248,7 +251,7 @@ impl Judge<'_, '_> {
             };
         }
         if matches!(own, Status::Holds(_)) && self.names_a_rate(reading) {
-            return (Status::Given(Verdict::Definition, "introduces a name"), None);
+            return (Status::Given(Verdict::Definition, "defines a name"), None);
         }
         if !matches!(own, Status::False(_) | Status::Open(..)) {
             return (own, None);

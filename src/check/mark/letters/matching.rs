@@ -47,7 +47,8 @@ pub(super) fn tables(
     let is_sound = |table: &Letters| {
         let stands = |a: &Name| is_own(a) || is_number(a);
         let is_open = |b: &Name| is_free(b) || table.contains_key(b);
-        table.iter().all(|(a, b)| stands(a) && is_open(&b.name) && is_number(&b.name)) && !is_exchange(table)
+        let fits = |a: &Name, b: &Name| stands(a) && is_open(b) && is_number(b) && may_stand_for(a, b);
+        table.iter().all(|(a, b)| fits(a, &b.name)) && !is_exchange(table)
     };
     // The letters with which a line is an equation of the problem, beside those that are known.
     let more = |known: &Pairs, line: &(Expr, Expr), display: &(Expr, Expr)| -> Option<Pairs> {
@@ -145,6 +146,12 @@ fn is_alike(left: &Expr, right: &Expr, pairs: &mut Pairs) -> bool {
         pairs.truncate(start);
     }
     is_it
+}
+
+/// Whether a name may stand for another one: a hat marks an operator or a direction, which is no number.
+pub(super) fn may_stand_for(own: &Name, other: &Name) -> bool {
+    let has_hat = |name: &Name| name.base.starts_with("\\hat{");
+    has_hat(own) == has_hat(other)
 }
 
 /// The factors of a formula: those above the fraction line, and those below.

@@ -3,6 +3,8 @@
 //! Where a display does not follow from a definition, the slip may be in either ([`Culprit`]). The other displays that use the
 //! name decide. Where none does, one of the two is wrong and nobody can tell which: the report says so, shows an edit of each,
 //! and calls neither wrong. The same is asked of relations that are taken for granted ([`premises`]).
+//!
+//! Offers `weighed`, which changes the findings on displays that contradict each other. Knows `repair` and below.
 
 pub(super) mod premises;
 
@@ -38,7 +40,7 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
         let (id, name) = (found[place].id.clone(), found[defined].id.clone());
         if is_common_there && (!culprit.others.is_empty() || !is_common_here) {
             let message = match culprit.others.len() {
-                0 => format!("({id}) contradicts this definition, and a likely slip in it explains that"),
+                0 => format!("({id}) contradicts this definition, and a likely mistake in it explains that"),
                 1 => format!("({id}) and another display contradict this definition"),
                 others => format!("({id}) and {others} other displays contradict this definition"),
             };

@@ -3,6 +3,9 @@
 //! A display follows by itself, or from relations that were taken for granted before it ([`premises`]). If it does not, a
 //! slip is sought, first without premises and then with those that it could follow from. What is no slip is taken for
 //! granted, and is a premise of what comes later. What is wrong is no premise.
+//!
+//! Offers `judged`, and `judged_again` where some findings are known already. Knows `gate` and the premises of `unaided`, and `repair` and
+//! below.
 
 mod cases;
 mod examples;

@@ -1,5 +1,8 @@
 //! What a finding means where no claims file says what the symbols are: whether the display follows, introduces a name,
 //! is taken for granted, or is wrong.
+//!
+//! Offers `as_it_counts`, the finding on a display as it counts without a claims file, and what decides whether an edit is a likely
+//! slip. Knows `repair`, `kinds` and below.
 
 mod content;
 mod likely;
@@ -215,8 +218,7 @@ pub(super) fn as_following(equation: Equation) -> Option<Equation> {
 
 /// The equation as it counts where it gives a new name a formula.
 pub(super) fn introduces(equation: Equation, name: &str) -> Equation {
-    let finding =
-        Finding::new(Code::Introduced, Verdict::Definition, equation.finding.span, format!("introduces {name}"));
+    let finding = Finding::new(Code::Introduced, Verdict::Definition, equation.finding.span, format!("defines {name}"));
     Equation { finding, parts: Vec::new(), repairs: Vec::new(), elsewhere: Vec::new(), ok: true, ..equation }
 }
 

@@ -11,6 +11,8 @@
 //! | `draft` | the inferred claims as a file |
 //!
 //! Imports the neighbours `inline` and `scope`, and what is below `unaided`.
+//!
+//! Offers `inference`, the claims that are guessed, `draft`, the same as a file, and `scopes`. Knows `usage`, `document` and below.
 
 pub(super) mod corrections;
 #[cfg(feature = "cli")]

@@ -1,4 +1,6 @@
 //! The words before a display: which displays they name, and whether they announce a consequence or an assumption.
+//!
+//! Offers `before`, the words before a display, and what they announce. Knows the words of `prose_claims`, and notes.
 
 mod words;
 

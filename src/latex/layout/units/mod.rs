@@ -3,6 +3,9 @@
 //! Upright words are units where they spell units and nothing else ([`spelled`]), and stand after a number, after a closed
 //! group of numbers, or in a fraction of such quantities ([`places`]). Elsewhere they stay what they are: a subscript, a
 //! name, a remark. What could be read in two ways is a fault.
+//!
+//! Offers `word`, upright letters as units where they are some, and `settled`, which leaves units only after numbers. Knows the layout
+//! and the units of `formula`.
 
 mod places;
 mod spelled;

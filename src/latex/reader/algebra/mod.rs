@@ -9,6 +9,8 @@
 //! | `poisson` | `\{f, g\}`, `[f, g]_{q,p}` |
 //! | `engineering` | whether j is √−1 |
 //! | `evidence` | without declarations: which letters are vectors, matrices or complex, from what the display says |
+//!
+//! Offers `algebra`, the factor that such a notation is, as a method of the reader. Knows the layout and the state of the reader.
 
 mod brackets;
 mod cases;

@@ -16,6 +16,8 @@
 //! Without declarations, one term is a product only with a dotted symbol in it, `\lambda(\dot\phi \sin\theta)`, or with a
 //! power on the parenthesis, `m(l\omega)^2`. The usual names of functions, and names with a prime, are rejected before
 //! any parenthesis.
+//!
+//! Offers `applied` and `is_no_value`, methods of the reader. Knows the layout, the names and the state of the reader.
 
 mod inside;
 

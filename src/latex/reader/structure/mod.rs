@@ -20,6 +20,9 @@
 //! | `infix` | ⊗, ∘ and the like; ∈, → and the like; lists |
 //!
 //! [`Symbols::may_be_abstract`]: crate::formula::Symbols::may_be_abstract
+//!
+//! Offers methods of the reader that give such a formula as [`Node::Apply`] of a label, and what decides that a display is read so. Knows
+//! the layout, the names and the state of the reader.
 
 mod acting;
 mod brackets;

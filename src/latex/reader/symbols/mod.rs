@@ -1,4 +1,6 @@
 //! A printed name as a symbol of the symbol table, with its superscript and a following parenthesis.
+//!
+//! Offers `symbol`, a method of the reader. Knows `applications`, the names and the state of the reader.
 
 mod compound;
 mod euler;
@@ -6,7 +8,7 @@ mod euler;
 use crate::formula::symbols::{Kind, Name, SymbolId};
 use crate::formula::tree::{Expr, Index, Node};
 use crate::source::{Fault, Span};
-use crate::suggest::declaration;
+use crate::suggest;
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, Printed};
@@ -86,7 +88,10 @@ impl Reader<'_> {
         if self.symbols.open {
             return self.undeclared(printed, span, items, cursor);
         }
-        let add = declaration(&name.to_string(), dots);
+        let add = match items.get(*cursor).and_then(arguments).filter(|_| dots == 0) {
+            Some(arguments) => suggest::function(&name.to_string(), &arguments),
+            None => suggest::declaration(&name.to_string(), dots),
+        };
         Err(Fault::undeclared(span, name).help(match self.symbols.nearest(name) {
             Some(near) => format!("did you mean {near}? If not, {add}"),
             None => add,
@@ -253,8 +258,13 @@ impl Reader<'_> {
             };
         }
         if !is_vector && has_markup {
-            return Err(Fault::ambiguous(span, format!("{name} may be an operator, a unit vector or a number"))
-                .help("operators are not supported; declare vectors in a claims file"));
+            return Err(match has_hat {
+                true => Fault::ambiguous(span, format!("{name} may be an operator, a unit vector or a number")).help(
+                    "operators are not supported; write a vector by its components, or declare it in a claims file",
+                ),
+                false => Fault::unsupported(span, format!("{name} is a vector, and nothing gives its components"))
+                    .help("write its components, or declare it in a claims file"),
+            });
         }
         // Wave functions are complex where anything is.
         let is_wave = self.symbols.imaginary_here && ["\\psi", "\\Psi"].contains(&name.base.as_str());
@@ -354,6 +364,19 @@ fn is_argument_of_an_operator(inside: &[Item]) -> bool {
     };
     let begins_with_a_name = inside.first().is_some_and(|first| names::printed(first, None).is_some());
     begins_with_a_name && inside.iter().skip(1).any(is_sign) && !inside.iter().any(has_mark)
+}
+
+/// The names in a parenthesis that holds nothing else, `(x, t)`: what stands before it is a function of them.
+fn arguments(next: &Item) -> Option<Vec<String>> {
+    let Layout::Fence(Delimiter::Round, inside) = &next.layout else { return None };
+    let given = inside.split(|item| item.layout == Layout::Other(','));
+    let name = |items: &[Item]| {
+        let mut solid = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+        let (only, None) = (solid.next()?, solid.next()) else { return None };
+        let found = names::printed(only, None)?;
+        (found.dots == 0 && found.sup.is_none()).then(|| found.name.to_string())
+    };
+    given.map(name).collect()
 }
 
 /// The `dots`-th time derivative.

@@ -13,6 +13,8 @@
 //! | `fields` | `\nabla` |
 //! | `marks` | δ and Δ before a letter: variations, differences and factors |
 //! | `bars` | `\left. … \right|_{x=a}`, `(\partial S/\partial V)_T` |
+//!
+//! Offers methods of the reader, and `bar`. Knows the layout, the names and the state of the reader.
 
 pub(super) use bars::bar;
 pub(in super::super) use marks::has_coefficient;

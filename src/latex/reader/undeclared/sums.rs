@@ -68,9 +68,9 @@ impl Reader<'_> {
             if let (Some(letter), Some(first), Some(last)) =
                 (bound.iter().find(|letter| is_lost(letter)), term.first(), term.last())
             {
-                let what = format!("{letter} is the letter of a sum before this term: the sum may go on here");
+                let what = format!("the sum over {letter} may or may not include this term");
                 return Err(Fault::ambiguous(first.span.to(last.span), what)
-                    .help("put all that is summed in parentheses, or use another letter after the sum"));
+                    .help("put what is summed in parentheses, or use another letter after the sum"));
             }
             bound.extend(own);
         }

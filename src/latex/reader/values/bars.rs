@@ -16,16 +16,16 @@ impl Reader<'_> {
     /// A formula at a place, or its difference between two places.
     pub(in super::super) fn at_place(&mut self, inner: &Expr, (below, above): Place<'_>, span: Span) -> Read<Expr> {
         let refused = |what: &str| {
-            Fault::unsupported(span, what).help("write the variable under the bar, such as |_{x=a} or |_{x=0}^{x=1}")
+            Fault::unsupported(span, what).help("name the variable at the bar, as in |_{x=a} or |_{x=0}^{x=1}")
         };
         let below = below.ok_or_else(|| refused("this bar has no place"))?;
         let Some((letter, lower)) = self.placement(below)? else {
             // Without a letter, the formula must have one variable only.
-            let Some(above) = above else { return Err(refused("the variable of this place is not said")) };
+            let Some(above) = above else { return Err(refused("this bar does not say which variable has this value")) };
             let symbols = inner.symbols();
             let ends = (self.end(below)?, self.end(above)?);
             let ([(letter, 0)], (End::At(lower), End::At(upper))) = (symbols.as_slice(), ends) else {
-                return Err(refused("the variable of these places is not said"));
+                return Err(refused("this bar does not say which variable has these values"));
             };
             let inner = self.written_out(inner, *letter)?;
             return Ok(as_step(at(&inner, *letter, &upper).minus(at(&inner, *letter, &lower))));

@@ -11,6 +11,8 @@
 //!
 //! The letter of a sum or an integral is a number of its own while its body is read, unless it is a declared number:
 //! then names that a formula defines by it are written out.
+//!
+//! Offers methods of the reader. Knows the layout, the state of the reader, and the calculus of `formula`.
 
 mod bars;
 mod integrals;
@@ -33,6 +35,9 @@ use super::state::{Read, Reader};
 
 /// The deepest chain of definitions that is written out.
 const DEEPEST: usize = 20;
+
+/// The advice where a value cannot be computed.
+const IN_A_DISPLAY: &str = "write the value of the integral or the sum in a display of its own";
 
 /// A letter that a sum or an integral binds.
 pub(super) struct Bound {
@@ -76,7 +81,7 @@ impl Reader<'_> {
         while body.symbols().iter().any(|(id, _)| hidden(*id, 0)) {
             depth += 1;
             if depth > DEEPEST {
-                return Err(unclear(body.span, "a definition contains itself"));
+                return Err(unclear(body.span, "a definition in it contains itself"));
             }
             let span = body.span;
             body.substitute(&|node| match node {
@@ -91,24 +96,30 @@ impl Reader<'_> {
         let entry = self.symbols.entry(letter);
         let is_time = self.symbols.time.as_ref() == Some(&entry.name);
         let mut fault = None;
+        let by = entry.name.to_string();
+        let unknown = |span: Span, what: &str| {
+            Fault::unsupported(span, format!("it is not known how {what} depends on {by}"))
+                .help(format!("write it as a formula of {by} in a display before this one"))
+        };
         body.walk(&mut |part| match &part.node {
             Node::Symbol { id, dots, .. } => {
                 let other = self.symbols.entry(*id);
                 if *dots > 0 {
-                    fault.get_or_insert(unclear(part.span, "a rate may vary with the letter"));
+                    fault.get_or_insert_with(|| unknown(part.span, &format!("the rate of {}", other.name)));
                 } else if is_time && *id != letter && other.varies && !other.steady {
-                    fault.get_or_insert(unclear(part.span, "what varies with time has no formula in it here"));
+                    fault.get_or_insert_with(|| unknown(part.span, &other.name.to_string()));
                 } else if *id != letter && other.definition.is_none() && other.derived
                     || other.unread && other.name.mentions(&entry.name.base)
                 {
-                    fault.get_or_insert(unclear(part.span, "nothing says whether this name depends on the letter"));
+                    fault.get_or_insert_with(|| unknown(part.span, &other.name.to_string()));
                 }
             }
             Node::TimeDerivative(..) => {
-                fault.get_or_insert(unclear(part.span, "a rate may vary with the letter"));
+                fault.get_or_insert_with(|| unknown(part.span, "this rate"));
             }
             Node::Integral(..) | Node::Shrinking(..) | Node::Apply(..) if depends_on(part, letter) => {
-                fault.get_or_insert(unclear(part.span, "this operator is not supported inside"));
+                let what = "an integral or a function inside an integral, a sum or a value at a place is not supported";
+                fault.get_or_insert_with(|| Fault::unsupported(part.span, what).help(IN_A_DISPLAY));
             }
             _ => {}
         });
@@ -162,6 +173,5 @@ impl Reader<'_> {
 }
 
 fn unclear(span: Span, why: &str) -> Fault {
-    Fault::unsupported(span, format!("this sum or integral has no value here: {why}"))
-        .help("write the value of the integral or the sum in a display of its own")
+    Fault::unsupported(span, format!("this sum or integral has no value here, because {why}")).help(IN_A_DISPLAY)
 }

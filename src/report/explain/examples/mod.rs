@@ -2,6 +2,8 @@
 //!
 //! The files are printed in full, so that a reader can copy and change them. A test in `tests/cli/explain.rs` copies them
 //! from the output and runs the command.
+//!
+//! Offers `of`, the example of a word. Knows nothing but texts.
 
 mod example;
 mod failing;

@@ -16,6 +16,8 @@
 //! A display that cannot be read is never edited: what it says is not known. Nothing else in the file changes, and nothing
 //! at all if the file has changed since it was checked ([`super::files::replace_file`]). After the edits the file is checked again;
 //! an edited equation that does not pass then is named.
+//!
+//! Offers `fix`, which edits the notes of a report, and `not_passing`, what still fails after it. Knows reports and `files`.
 
 use std::io::{BufRead, IsTerminal, Write};
 use std::path::Path;

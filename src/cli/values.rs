@@ -1,0 +1,30 @@
+//! Values on the command line: those of names, `--set NAME=VALUE`, and the seed of the sampled states.
+
+use crate::{Error, Result};
+
+/// The seed of the sampled states.
+///
+/// # Errors
+/// For what is no whole number, or is negative.
+pub(super) fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| "the seed must be a whole number, 0 or larger".to_owned())
+}
+
+/// A name and its value, from `NAME=VALUE`.
+///
+/// # Errors
+/// For a text without an equals sign or without a name, and for a value that is no finite number.
+pub(super) fn setting(pair: &str) -> Result<(&str, f64)> {
+    let example = |name: &str| format!("write --set '{name}=0.5'");
+    let halves = pair.split_once('=').map(|(name, value)| (name.trim(), value.trim()));
+    let Some((name, value)) = halves.filter(|(name, _)| !name.is_empty()) else {
+        return Err(Error::new(format!("--set {pair} does not have the form NAME=VALUE")).help(example("\\theta")));
+    };
+    match value.parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok((name, number)),
+        Ok(number) if number.is_infinite() => {
+            Err(Error::new(format!("the value of {name} is too large to compute with")))
+        }
+        _ => Err(Error::new(format!("“{value}” is not a number in --set {pair}")).help(example(name))),
+    }
+}
