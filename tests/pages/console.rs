@@ -2,7 +2,7 @@
 //!
 //! A block whose first line is ```` ```LANGUAGE NAME ```` with a dot in the name is a file. In a ```` ```console ```` block each
 //! line that begins with `$ ` is a command, and the lines up to the next one are what it prints: standard output, then
-//! standard error. Commands are `onshell …`, `cargo run --release -- …` and `echo $?`, the last exit code.
+//! standard error. Commands are `onshell …`, `cargo run -- …` and `echo $?`, the last exit code.
 //! The folder has a copy of `derivations/` and of `examples/`.
 
 use std::path::{Path, PathBuf};
@@ -48,7 +48,7 @@ fn printed(command: &str, folder: &Path, code: &mut i32) -> String {
     if command == "echo $?" {
         return format!("{code}\n");
     }
-    let arguments = ["cargo run --release -- ", "onshell "].iter().find_map(|start| command.strip_prefix(start));
+    let arguments = ["cargo run -- ", "onshell "].iter().find_map(|start| command.strip_prefix(start));
     let words = words(arguments.unwrap_or_else(|| panic!("a page may run onshell and nothing else: {command}")));
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let output = run(&words, folder);
