@@ -45,7 +45,7 @@ pub(super) fn separates(item: &Item) -> bool {
         Layout::Command(name) => matches!(name.as_str(), "\\Rightarrow" | "\\Leftrightarrow" | "\\therefore"),
         Layout::Text(word) => is_separator(word),
         Layout::Style(style, inner) if style == "\\mathrm" => {
-            ["where", "so", "and", "hence", "thus", "therefore", "with"].contains(&latex(contents(inner)).trim())
+            ["where", "so", "hence", "thus", "therefore", "with"].contains(&latex(contents(inner)).trim())
         }
         _ => false,
     }

@@ -73,7 +73,7 @@ fn an_operator_reaches_to_what_goes_on() {
         (r"\partial_\lambda R^\mu{}_{\nu\rho} = 0", "∂_{λ}(R^{μ}_{νρ}) = 0"),
         (r"dv = \delta \dot q\, dt = d\delta q", "dv = δq̇·dt = dδq"),
     ]);
-    are_refused(&[r"\nabla\cdot\nu[\nabla\mathbf{u} + \nabla\mathbf{w}] = 0", r"\nabla\cdot k\nabla T = 0"]);
+    are_refused(&[r"\nabla\cdot\nu[\nabla\mathbf{u} + \nabla\mathbf{w}] = 0", r"\nabla k\nabla T = 0"]);
 }
 
 #[test]
