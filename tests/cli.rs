@@ -83,6 +83,8 @@ mod unaided_places;
 mod unaided_premises;
 #[path = "cli/unaided_readings.rs"]
 mod unaided_readings;
+#[path = "cli/unaided_restated.rs"]
+mod unaided_restated;
 #[path = "cli/unaided_sentences.rs"]
 mod unaided_sentences;
 #[path = "cli/unaided_series.rs"]

@@ -12,7 +12,7 @@
 use std::collections::BTreeSet;
 
 use crate::check::document::checker::Checker;
-use crate::check::unaided::gate;
+use crate::check::unaided::{gate, inline};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::repair::Repair;
@@ -82,6 +82,11 @@ pub(super) fn blame(checker: &Checker<'_>, first: usize, found: &mut [Equation])
 /// unit, so a power with another exponent than a number says nothing. Neither does a matrix, whose rows may belong to a length and
 /// an angle.
 fn statements<'c>(checker: &'c Checker<'_>, at: usize) -> Option<Vec<&'c Statement>> {
+    // A case that a sentence states says nothing of other displays.
+    let display = &checker.notes.equations[at];
+    if inline::is_inline(checker.notes, display) && inline::is_conditional(checker.notes, display) {
+        return None;
+    }
     let read: Option<Vec<&Statement>> = checker.readings[at].statements.iter().map(|read| read.as_ref().ok()).collect();
     let is_value = |member: &Expr| matches!(&member.node, Node::Number(_)) && !member.is_zero();
     let has_decimals = |member: &Expr| {

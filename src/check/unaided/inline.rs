@@ -12,7 +12,7 @@ use crate::latex::foreign::products_in_lines;
 use crate::notes::{Display, Notes};
 use crate::source::Span;
 
-use crate::check::document::inferred::prose::{body_of, follows_condition, is_announced, is_named};
+use crate::check::document::inferred::prose::{body_of, follows_condition, is_announced, is_named, is_supposed};
 use crate::check::usage::{Usage, names_of};
 
 /// The fewest names of a formula that is a relation, and no value or special case.
@@ -63,7 +63,10 @@ fn with_definitions_of(notes: &Notes, displays: Vec<Display>, used: &[Name], mac
         if let Some(name) = name.filter(defines) {
             found.insert(at, with_known_names(display, &name, (&usages, used), macros));
             defined.push(name);
-        } else if relates(&display, (&usages, authors, is_told), macros) && !follows_condition(notes, *span) {
+        } else if relates(&display, (&usages, authors, is_told), macros)
+            && (!follows_condition(notes, *span)
+                || !is_supposed(notes, *span) && is_directly_before(notes, *span, &found))
+        {
             found.insert(at, display);
         }
     }
@@ -77,6 +80,18 @@ fn moves_on_the_right(display: &Display, usages: &[Usage], macros: &Macros) -> b
     let names = names_of(&[Display { text: right.to_owned(), ..display.clone() }], macros);
     let is_known = |name: &Usage| usages.iter().any(|usage| usage.name == name.name && usage.moves);
     names.iter().any(|name| name.moves || is_known(name) || name.name == Name::plain("t"))
+}
+
+/// Whether a formula in a sentence holds under a condition, so that it says nothing but about the next display.
+pub(super) fn is_conditional(notes: &Notes, display: &Display) -> bool {
+    follows_condition(notes, display.span)
+}
+
+/// Whether a formula stands in the paragraph of the display after it.
+fn is_directly_before(notes: &Notes, span: Span, displays: &[Display]) -> bool {
+    let next = displays.iter().map(|display| display.span.start).filter(|start| *start >= span.end).min();
+    let between = next.and_then(|next| notes.source.text.get(span.end..next));
+    between.is_some_and(|text| !text.trim_end().contains("\n\n"))
 }
 
 /// Whether a formula relates several names that displays before it have, or that no display gives a formula. Two are enough where the

@@ -11,7 +11,7 @@ use crate::check::unaided::scope::Link;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
-use crate::formula::Statement;
+use crate::formula::{Relation, Statement};
 use crate::notes::{Display, Notes, Numbered};
 use crate::source::Span;
 
@@ -37,7 +37,8 @@ pub(super) fn apart(checker: &Checker<'_>, first: usize, found: &[Equation]) -> 
             continue;
         }
         let chains = checker.readings[at].statements.iter().flatten().filter(|statement| {
-            statement.members.len() > 2 && statement.relations.iter().all(|(relation, _)| is_equality(*relation))
+            statement.members.len() > 2
+                && statement.relations.iter().all(|(relation, _)| is_equality(*relation) || is_near(*relation))
         });
         for (statement, link) in
             chains.flat_map(|statement| (0..statement.relations.len()).map(move |k| (statement, k)))
@@ -45,7 +46,11 @@ pub(super) fn apart(checker: &Checker<'_>, first: usize, found: &[Equation]) -> 
             // Where a chain ends with "= 0", the author asks when that is so. And its first equality may give a name a formula.
             let is_condition = statement.members[link + 1].is_null();
             let is_definition = link == 0 && statement.members[0].as_plain_symbol().is_some();
+            // In which limit letters are nearly equal is said of the whole chain. Numbers are compared.
+            let is_rough = is_near(statement.relations[link].0)
+                && statement.members[link..link + 2].iter().any(|side| !side.symbols().is_empty());
             if apart.links.len() < MOST
+                && !is_rough
                 && !is_condition
                 && !is_definition
                 && let Some(display) = alone(&checker.notes.equations[at], statement, link)
@@ -56,6 +61,10 @@ pub(super) fn apart(checker: &Checker<'_>, first: usize, found: &[Equation]) -> 
         }
     }
     (!apart.links.is_empty()).then_some(apart)
+}
+
+fn is_near(relation: Relation) -> bool {
+    relation == Relation::Approximately
 }
 
 /// Whether a chain as a whole was taken for granted, or left open since nothing gives a formula that is differentiated in it.

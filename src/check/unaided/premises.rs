@@ -130,7 +130,13 @@ pub(super) fn for_slips<'s, 'p>(sets: &'s [Vec<&'p Premise>], is_constant: bool)
     let sets: Vec<&Vec<&Premise>> = sets.iter().filter(|set| !says_too_much(set)).collect();
     let longest = sets.iter().map(|set| set.len()).max().unwrap_or(0);
     let most = sets.iter().skip(1).find(|set| set.len() == longest);
-    sets.first().into_iter().chain(most).copied().collect()
+    // What two relations one after the other say together is what an author combines.
+    let adjacent = |set: &&&Vec<&Premise>| {
+        let [a, b] = set.as_slice() else { return false };
+        a.at.abs_diff(b.at) == 1
+    };
+    let pair = sets.iter().skip(1).find(adjacent).filter(|pair| most != Some(*pair));
+    sets.first().into_iter().chain(pair).chain(most).copied().collect()
 }
 
 /// The number of symbols that the equalities of premises cannot eliminate to leave a relation between these symbols; `None`, if one of the

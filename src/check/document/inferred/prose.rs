@@ -302,6 +302,11 @@ pub(crate) fn follows_condition(notes: &Notes, span: Span) -> bool {
     last(&words_before(notes, span), &CONDITION).is_some()
 }
 
+/// Whether the sentence of a formula only supposes something: it says neither that nor when it is so.
+pub(crate) fn is_supposed(notes: &Notes, span: Span) -> bool {
+    last(&words_before(notes, span), &["if", "unless", "until", "assuming", "suppose", "limit", "near"]).is_some()
+}
+
 /// Whether the sentence before a display speaks of small motion, as "for small oscillations" does, and does not deny it: "no longer
 /// small".
 pub(crate) fn speaks_of_small(notes: &Notes, span: Span) -> bool {

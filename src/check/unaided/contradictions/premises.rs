@@ -9,13 +9,16 @@ use crate::Result;
 use crate::check::repair::culprit::is_common;
 use crate::check::repair::ranking::{adds_parentheses, rank};
 use crate::check::repair::suggest::is_in_source;
-use crate::check::unaided::contradictions::{consistent, contradicted, open, refuted};
+use crate::check::unaided::contradictions::{consistent, contradicted, open, refuted, undecided};
 use crate::check::unaided::course::Course;
+use crate::check::unaided::course::examples::LOST_FACTORS;
 use crate::check::unaided::premises::{self, Premise, Said};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::{Repair, Shared};
 use crate::check::verdict::report::Equation;
-use crate::latex::slips::{self, Pool};
+use crate::formula::Symbols;
+use crate::latex::Macros;
+use crate::latex::slips::{self, Edit, Pool, Slip};
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
 
@@ -30,6 +33,8 @@ struct Suspicion {
     premise: usize,
     /// The edit of the premise.
     repair: Repair,
+    /// Whether the edit is a slip that authors often make. A lost number counts only where several displays show it.
+    is_common: bool,
 }
 
 /// Weighs the displays that were called wrong given premises.
@@ -54,7 +59,8 @@ pub(in crate::check::unaided) fn weighed(course: &Course<'_, '_>, found: &mut [E
             let is_open =
                 is_alike && !premise.is_inline && premise.at >= first && !course.confirmed.contains(&premise.at);
             if let Some(repair) = is_open.then(|| edited(course, *at, set, premise)).transpose()?.flatten() {
-                suspicions.push((is_common_here, Suspicion { by: *at, premise: premise.at, repair }));
+                let is_common = is_common(repair.slip);
+                suspicions.push((is_common_here, Suspicion { by: *at, premise: premise.at, repair, is_common }));
             }
         }
     }
@@ -75,16 +81,55 @@ pub(in crate::check::unaided) fn weighed(course: &Course<'_, '_>, found: &mut [E
         let name = found[premise].id.clone();
         alike.iter().for_each(|at| found[at - first] = consistent(&found[at - first], &name));
     }
-    for (is_common_here, Suspicion { by, premise, repair }) in suspicions {
+    leave_open_what_shares_a_premise(course, found);
+    for (is_common_here, Suspicion { by, premise, repair, is_common }) in suspicions {
         let (by, premise) = (by - first, premise - first);
         let is_taken = found[premise].finding.verdict == Verdict::Assumed;
-        if is_common_here && is_taken && is_wrong(by + first, found) {
+        if is_common_here && is_common && is_taken && is_wrong(by + first, found) {
             let (id, name) = (found[by].id.clone(), found[premise].id.clone());
             found[premise] = contradicted(&found[premise], &id);
             found[by] = open(&found[by], &name, repair);
         }
     }
     Ok(())
+}
+
+/// Leaves open the displays that contradict one premise from which nothing follows: a slip in the premise is likelier than one in each of
+/// them.
+fn leave_open_what_shares_a_premise(course: &Course<'_, '_>, found: &mut [Equation]) {
+    let first = course.scope.carried;
+    let mut shared: Vec<(usize, Vec<usize>)> = Vec::new();
+    for (at, set) in &course.blamed {
+        let Some(place) = at
+            .checked_sub(first)
+            .filter(|place| found.get(*place).is_some_and(|equation| equation.finding.verdict == Verdict::Refuted))
+        else {
+            continue;
+        };
+        for premise in set.iter().filter(|premise| !premise.is_inline && !course.confirmed.contains(&premise.at)) {
+            match shared.iter_mut().find(|(at, _)| *at == premise.at) {
+                Some((_, places)) => places.push(place),
+                None => shared.push((premise.at, vec![place])),
+            }
+        }
+    }
+    for (premise, mut places) in shared {
+        places.dedup();
+        let name = course.checker.notes.equations[premise].id().unwrap_or_default().to_owned();
+        for place in places.iter().filter(|_| places.len() > 1) {
+            let message = format!("this and another display contradict ({name}), which may be wrong itself");
+            found[*place] = undecided(&found[*place], message);
+        }
+    }
+}
+
+/// The small numbers that a text may have lost.
+fn lost_factors(text: &str, symbols: &Symbols, macros: &Macros) -> Vec<Edit> {
+    let points = slips::insertion_points(text, symbols, macros).into_iter().filter(|point| point.slip == Slip::Factor);
+    let factor = |start: usize| {
+        LOST_FACTORS.map(|factor| Edit { span: Span::at(start), replacement: format!("{factor} "), slip: Slip::Factor })
+    };
+    points.flat_map(|point| factor(point.whole.start)).collect()
 }
 
 /// The likeliest edit of a premise with which a display follows from the set; `None`, if no common one does that.
@@ -117,7 +162,11 @@ fn edited(course: &Course<'_, '_>, at: usize, set: &[Premise], premise: &Premise
             is_common(edit.slip) && !adds_parentheses(text, edit) && is_in_source(checker, text, edit, offset)
         });
         edits.sort_by_key(|edit| rank(text, edit, false));
-        for edit in edits.into_iter().take(TRIED) {
+        edits.truncate(TRIED);
+        edits.extend(
+            lost_factors(text, symbols, macros).into_iter().filter(|edit| is_in_source(checker, text, edit, offset)),
+        );
+        for edit in edits {
             let edited = edit.applied(text);
             let edited = if is_formula { premises::is_constant(&edited) } else { edited };
             let said = std::iter::once(edited).chain(beside.iter().cloned());

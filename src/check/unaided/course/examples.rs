@@ -28,7 +28,7 @@ use crate::source::Span;
 const TRIED: usize = 160;
 
 /// The factors that authors lose.
-const LOST_FACTORS: [&str; 4] = ["2", "\\frac12", "4", "3"];
+pub(in crate::check::unaided) const LOST_FACTORS: [&str; 4] = ["2", "\\frac12", "4", "3"];
 
 /// The deepest chain of definitions that is written out.
 const DEEPEST: usize = 6;

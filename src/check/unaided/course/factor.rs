@@ -9,13 +9,15 @@ use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
 use crate::check::repair::suggest::Search;
 use crate::check::unaided::course::Course;
-use crate::check::unaided::dimensions;
+use crate::check::unaided::{dimensions, gate};
 use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::Equation;
 use crate::formula::Value;
 use crate::formula::units::in_si::has_units;
-use crate::formula::{Expr, Node, Relation};
+use crate::formula::{Expr, Node, Relation, Statement};
 use crate::notes::claims::Claim;
+use crate::source::Span;
 
 /// The number of states that are tried; a root has a value in some of them.
 const STATES: usize = 32;
@@ -42,19 +44,18 @@ impl Course<'_, '_> {
     /// hold.
     pub(super) fn off_by_a_factor(&self, at: usize, claim: &Claim, quick: &Equation) -> Result<Option<Equation>> {
         let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
-        let [Ok(statement)] = checker.readings[at].statements.as_slice() else { return Ok(None) };
         // Of log nobody knows the base.
-        if display.text.contains("\\log") || !statement.conditions.is_empty() || statement.branch.is_some() {
+        if display.text.contains("\\log") {
             return Ok(None);
         }
-        let mut pairs = statement.members.windows(2).zip(&statement.relations);
-        let is_off = |(pair, (relation, _)): (&[Expr], &(Relation, _))| -> Result<bool> {
-            let may_be = is_equality(*relation) && pair.iter().all(may_be_off);
-            Ok(may_be && self.ratio_is_wrong(at, &pair[0], &pair[1])?)
-        };
-        if !pairs.try_fold(false, |known, pair| Ok::<bool, crate::Error>(known || is_off(pair)?))? {
-            return Ok(None);
+        let mut off = None;
+        let statements = &checker.readings[at].statements;
+        for statement in statements.iter().flatten() {
+            if off.is_none() && self.is_off(at, statement)? {
+                off = Some(statement.span.shifted(display.body.start));
+            }
         }
+        let Some(off) = off else { return Ok(None) };
         let mut repairs = checker.own_repairs(at, quick, claim, Search::Likely)?;
         repairs.retain(|repair| {
             matches!(repair.verdict, Verdict::Certified | Verdict::Verified)
@@ -63,7 +64,22 @@ impl Course<'_, '_> {
                 && display.body.contains(repair.span)
                 && !dimensions::are_spoilt(checker, at, repair)
         });
-        Ok(Some(Equation { repairs, ..self.equation(checker, at, claim)? }))
+        let found = Equation { repairs, ..self.equation(checker, at, claim)? };
+        Ok(if statements.len() == 1 { Some(found) } else { only_within(found, off) })
+    }
+
+    /// Whether two members of a statement, one after the other, are the same but for a number.
+    fn is_off(&self, at: usize, statement: &Statement) -> Result<bool> {
+        if !statement.conditions.is_empty() || statement.branch.is_some() {
+            return Ok(false);
+        }
+        for (pair, (relation, _)) in statement.members.windows(2).zip(&statement.relations) {
+            let may_be = is_equality(*relation) && pair.iter().all(may_be_off);
+            if may_be && self.ratio_is_wrong(at, &pair[0], &pair[1])? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Whether the ratio of two sides is a number other than 1, in all states.
@@ -71,8 +87,10 @@ impl Course<'_, '_> {
         // What differs by a sign may be about the other direction.
         let may_turn = !self.uses_definitions(at);
         let least = if [lhs, rhs].into_iter().any(has_decimals) { ROUNDED } else { EQUAL };
-        let ratio = self.constant_ratio(lhs, rhs)?;
-        Ok(ratio.is_some_and(|ratio| (ratio > 0.0 || may_turn) && (ratio - 1.0).abs() > least))
+        let Some(ratio) = self.constant_ratio(lhs, rhs)?.filter(|ratio| *ratio > 0.0 || may_turn) else {
+            return Ok(false);
+        };
+        Ok((ratio - 1.0).abs() > least)
     }
 
     /// The ratio of two formulas, if it is one number in all states.
@@ -95,6 +113,19 @@ impl Course<'_, '_> {
         let is_same = |ratio: &f64| first.is_some_and(|first| (ratio / first - 1.0).abs() < EQUAL);
         Ok(first.filter(|_| ratios.iter().all(is_same)))
     }
+}
+
+/// The finding on a display of several statements, of which the one in a span is wrong and the others are as they count.
+fn only_within(found: Equation, span: Span) -> Option<Equation> {
+    let is_within = |finding: &Finding| finding.verdict == Verdict::Refuted && span.contains(finding.span);
+    let finding = found.parts.iter().map(|part| &part.finding).find(|finding| is_within(finding))?.clone();
+    let mut weighed = gate::as_it_counts(found.clone());
+    for (part, printed) in weighed.parts.iter_mut().zip(&found.parts).filter(|(_, part)| is_within(&part.finding)) {
+        *part = printed.clone();
+    }
+    let mut repairs = found.repairs;
+    repairs.retain(|repair| span.contains(repair.span));
+    Some(Equation { finding, repairs, ok: false, ..weighed })
 }
 
 /// Whether a formula may be one side of what is off by a factor: no name beside its definition, nothing measured.

@@ -8,9 +8,10 @@
 //! below.
 
 mod cases;
-mod examples;
+pub(super) mod examples;
 mod extrema;
 mod factor;
+mod restated;
 mod roots;
 mod slips;
 mod sought;
@@ -216,7 +217,9 @@ impl Course<'_, '_> {
 
     /// The finding of before; what was a premise then is one now.
     fn judged_before(&mut self, at: usize, equation: Equation) -> Equation {
-        if equation.finding.verdict == Verdict::Assumed {
+        let (notes, display) = (self.checker.notes, &self.checker.notes.equations[at]);
+        let is_case = inline::is_inline(notes, display) && inline::is_conditional(notes, display);
+        if equation.finding.verdict == Verdict::Assumed && !is_case {
             self.note_doubt(at);
         }
         equation
@@ -230,8 +233,14 @@ impl Course<'_, '_> {
             displays += usize::from(!inline::is_inline(notes, &notes.equations[*place]));
             displays < 2
         };
-        let near = (0..at).rev().take_while(is_near);
-        near.filter(|place| inline::is_inline(notes, &notes.equations[*place])).collect()
+        let near = (0..at).rev().take_while(is_near).collect::<Vec<_>>();
+        // What holds under a condition does so for the next display.
+        let is_said = |place: &usize| {
+            let display = &notes.equations[*place];
+            let is_next = || (*place..at).all(|place| inline::is_inline(notes, &notes.equations[place]));
+            inline::is_inline(notes, display) && (!inline::is_conditional(notes, display) || is_next())
+        };
+        near.into_iter().filter(is_said).collect()
     }
 
     fn judge(&mut self, at: usize) -> Result<Equation> {
@@ -240,6 +249,12 @@ impl Course<'_, '_> {
         let claim = self.checker.assigned[at].unwrap_or(&none);
         let found = self.by_itself(at)?;
         if let Some(settled) = self.settled_by_itself(at, &found)? {
+            // A value in a special case, in a sentence, is what the next display is about.
+            if settled.finding.verdict.passes()
+                && inline::is_inline(self.checker.notes, &self.checker.notes.equations[at])
+            {
+                self.take_for_granted(at);
+            }
             return Ok(settled);
         }
         let may_follow = found.finding.verdict == Verdict::Refuted || found.finding.code == Code::NoMotion;
@@ -247,8 +262,11 @@ impl Course<'_, '_> {
             return Ok(self.root(at)?.unwrap_or_else(|| gate::as_it_counts(found)));
         };
         // A formula in a sentence is a premise of the next display; it is not judged.
-        if inline::is_inline(self.checker.notes, &self.checker.notes.equations[at]) {
-            self.note_doubt(at);
+        let display = &self.checker.notes.equations[at];
+        if inline::is_inline(self.checker.notes, display) {
+            if !inline::is_conditional(self.checker.notes, display) {
+                self.note_doubt(at);
+            }
             self.take_for_granted(at);
             return Ok(gate::as_it_counts(found));
         }

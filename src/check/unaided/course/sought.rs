@@ -27,6 +27,9 @@ impl Course<'_, '_> {
         if let Some(found) = self.special_value(at, found)? {
             return Ok(Some(found));
         }
+        if let Some(found) = self.restated(at, found)? {
+            return Ok(Some(found));
+        }
         if let Some(found) = self.extremum(at, found)? {
             return Ok(Some(found));
         }

@@ -19,10 +19,10 @@ use crate::formula::{Expr, Node, Statement, SymbolId, text};
 use crate::latex::read_display;
 
 /// The fewest symbols, numbers and operations of a formula in which an edit is sought.
-const FEWEST: usize = 6;
+pub(super) const FEWEST: usize = 6;
 
 /// The relative difference of a ratio from 1 that is rounding.
-const ROUNDING: f64 = 1e-9;
+pub(super) const ROUNDING: f64 = 1e-9;
 
 /// A quantity at a place.
 struct Special {
@@ -145,7 +145,7 @@ impl Course<'_, '_> {
 }
 
 /// A name and the formula beside it, if that is all that a statement says.
-fn named(statement: &Statement) -> Option<(SymbolId, &Expr)> {
+pub(super) fn named(statement: &Statement) -> Option<(SymbolId, &Expr)> {
     let ([name, formula], [(relation, _)]) = (statement.members.as_slice(), statement.relations.as_slice()) else {
         return None;
     };
@@ -154,7 +154,7 @@ fn named(statement: &Statement) -> Option<(SymbolId, &Expr)> {
 }
 
 /// The number of symbols, numbers and operations of a formula.
-fn parts(formula: &Expr) -> usize {
+pub(super) fn parts(formula: &Expr) -> usize {
     let mut count = 0;
     formula.walk(&mut |_| count += 1);
     count

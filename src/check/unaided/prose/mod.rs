@@ -22,6 +22,16 @@ const FAR_BACK: usize = 8;
 /// The most letters of words that say nothing of their own.
 const GOES_ON: usize = 3;
 
+/// Words that suppose nothing, though they contain others that do, and what they say.
+const SUPPOSES_NOTHING: [(&str, &str); 6] = [
+    ("in other words", "that is"),
+    ("smaller ", "lesser "),
+    ("each other", "both"),
+    ("one by the other", "both"),
+    ("one from the other", "both"),
+    ("one with the other", "both"),
+];
+
 /// What the words before a display announce.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Announced {
@@ -75,7 +85,8 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
     }
     // Authors break lines anywhere.
     let words: Vec<String> = last_sentence(all).split_whitespace().map(str::to_lowercase).collect();
-    let sentence = words.join(" ") + " ";
+    let sentence =
+        SUPPOSES_NOTHING.iter().fold(words.join(" ") + " ", |text, (words, meant)| text.replace(words, meant));
     let says = |words: &[&str]| words.iter().any(|word| has_word(&sentence, word));
     // "and" goes on as before.
     if at > 0 && further > 0 && sentence.chars().filter(|c| c.is_alphabetic()).count() <= GOES_ON {

@@ -40,6 +40,16 @@ pub(super) const CONSEQUENCE: &[&str] = &[
     "this means",
     "equivalent",
     "then",
+    "indeed",
+    "eliminat",
+    "multiplied out",
+    "multiplying out",
+    "symmetric form",
+    "compact form",
+    "rewritten",
+    "comes out as",
+    "turns into",
+    "read off",
     // German
     "daraus",
     "daher",
@@ -77,6 +87,10 @@ pub(super) const CONSEQUENCE: &[&str] = &[
     "par conséquent",
     "c'est-à-dire",
     "entraîne",
+    "donne ",
+    "donnent",
+    "soit, ",
+    "devien",
     // Spanish and Italian
     "luego",
     "por tanto",
@@ -93,6 +107,10 @@ pub(super) const CONSEQUENCE: &[&str] = &[
     "ricav",
     "allora",
     "sostituend",
+    "diventa",
+    "cioè",
+    "ovvero",
+    "es decir",
 ];
 
 /// Words that announce what is assumed, chosen or only nearly true.
