@@ -24,6 +24,14 @@ pub(super) fn holds(checker: &Checker<'_>, world: &World<'_>, display: usize, re
     }
     let own: Vec<SymbolId> =
         world.declared.iter().filter_map(|name| Some(checker.model.symbols.find(name)?.0)).collect();
+    // The line is about the place if it names it, or a deviation from it; else it is about any motion.
+    let mut members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+    let places: Vec<SymbolId> =
+        special.places().iter().filter_map(|(_, place)| Some(checker.model.symbols.find(place)?.0)).collect();
+    let is_about_it = |(id, _): &(SymbolId, u8)| places.contains(id) || own.contains(id);
+    if !members.any(|member| member.symbols().iter().any(is_about_it)) {
+        return false;
+    }
     let of_problem = world.problem.notes.equations.len();
     let said = |text: String| Spanned::new(text, Span::default());
     let small = special.places().iter().map(|(of, place)| said(format!("{of} - {place}")));

@@ -17,6 +17,7 @@ use super::carried::energies;
 use super::given::Implied;
 use super::judged::{Judged, Rival};
 use super::marked::{Because, Line, Mark};
+use super::names::moving;
 use super::motion::{Along, Motion};
 use super::near_rest;
 use super::results;
@@ -81,6 +82,7 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Riv
             conditions: Vec::new(),
             breaks: Vec::new(),
             known: Known::default(),
+            data: digits::data(&quiet, world),
             trials: Vec::new(),
             lines: Vec::new(),
         };
@@ -102,6 +104,7 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Riv
                 }
             }
         }
+        leave_open_what_no_slip_explains(&quiet, world, &mut lines);
         let found = results::found(&quiet, world, &mut lines, (&premises, details.then_some(&corrected)))?;
         Ok(Judged { lines, found })
     })
@@ -132,6 +135,8 @@ struct Judge<'j, 'c> {
     breaks: Vec<Break>,
     /// What the lines say that symbols are.
     known: Known,
+    /// The numbers that the problem and the whole hand-in give.
+    data: Known,
     /// The trial solutions.
     trials: Vec<trial::Trial>,
     lines: Vec<Line>,
@@ -186,6 +191,10 @@ impl Judge<'_, '_> {
         if matches!(status, Status::Open(..) | Status::False(_)) && self.is_near(display, &reading) {
             (status, under) = (Status::Holds(Verdict::Verified), Some("is right to the printed digits".into()));
         }
+        // ≈ is = beside a number.
+        if matches!(status, Status::Open(..)) && self.is_rounded(display, &reading) {
+            (status, under) = (Status::Holds(Verdict::Verified), Some("is right to the printed digits".into()));
+        }
         if self.details && energies::is_sum_of_energies(self.quiet, &reading) {
             (line.mark, line.verdict) = (Mark::Wrong, Some(Verdict::Refuted));
             line.because = "is not the Lagrangian, which is the kinetic minus the potential energy".into();
@@ -204,6 +213,11 @@ impl Judge<'_, '_> {
             }
             Status::Given(verdict, what) => {
                 (line.mark, line.verdict, line.because) = (Mark::Given, Some(verdict), what.into());
+            }
+            // In a state it cannot be put to the test, as e^{i\omega t} has none.
+            Status::Open(..) if self.is_tried(at, &reading) => {
+                (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
+                line.because = false_line::TRIAL.into();
             }
             Status::Open(verdict, message) => {
                 (line.mark, line.verdict, line.because) = (Mark::Open, Some(verdict), message.into());
@@ -299,6 +313,9 @@ impl Judge<'_, '_> {
         if (is_near || special.has_modes_at_places()) && near_rest::holds(&checker, self.world, display, reading) {
             return (Status::Holds(Verdict::Verified), Some("follows for small motion about the place of rest".into()));
         }
+        if self.holds_at_a_place(&checker, display, reading) {
+            return (Status::Holds(Verdict::Verified), Some("follows while the motion stays at the place".into()));
+        }
         if let Some((text, name)) = self.conditions.last() {
             let span = Span::default();
             let spanned = |text: &String| Spanned::new(text.clone(), span);
@@ -344,6 +361,38 @@ const SEEDS: u64 = 3;
 
 /// What is said of a function of the time that solves the laws and is not that of the model solution.
 const OTHER_START: &str = "solves the equations of motion, but for other initial values than the model solution";
+
+/// Leaves false lines about rest, small oscillations or modes open, in which no likely slip is found, where a line about the motion
+/// before them is wrong: they may follow from that one in a way that is not known here.
+fn leave_open_what_no_slip_explains(checker: &Checker<'_>, world: &World<'_>, lines: &mut [Line]) {
+    let model = checker.model;
+    let special = &world.problem.special;
+    let sought = world.problem.secular.iter().map(|(_, omega)| omega);
+    let names = special.kept().map(|(_, place)| place).chain(special.frequencies()).chain(sought);
+    let names = names.chain(&model.normal_frequencies);
+    let special: Vec<SymbolId> = names.filter_map(|name| Some(model.symbols.find(name)?.0)).collect();
+    let members = |at: usize| {
+        let reading = &checker.readings[world.first + at];
+        reading.statements.iter().flatten().flat_map(|statement| &statement.members)
+    };
+    let is_special = |at: usize| members(at).any(|member| model.depends_on(member, &special));
+    let is_of_motion = |at: usize| members(at).any(|member| model.depends_on(member, &moving(model)));
+    for at in 0..lines.len() {
+        let is_unexplained = |line: &Line| {
+            line.mark == Mark::Wrong && line.slip.is_none() && line.verdict == Some(Verdict::Refuted) && is_special(at)
+        };
+        let root = (0..at).rev().find(|before| lines[*before].mark == Mark::Wrong && is_of_motion(*before));
+        if let Some(root) = root.filter(|_| is_unexplained(&lines[at])) {
+            let because = format!("is false, and may follow from the mistake in {}", lines[root].name);
+            let line = &mut lines[at];
+            (line.mark, line.verdict, line.because) = (Mark::Open, Some(Verdict::Undecided), because.into());
+            line.follows_from = Some(root);
+        }
+        if let (Mark::Carried, Some(from)) = (lines[at].mark, lines[at].follows_from) {
+            lines[at].because = carried(lines, from);
+        }
+    }
+}
 
 fn carried(lines: &[Line], from: usize) -> Because {
     let mut root = from;
