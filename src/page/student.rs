@@ -141,7 +141,10 @@ fn legend(marked: &Marked) -> Markup {
     let all = [
         (Mark::Right, "It follows from the problem."),
         (Mark::Wrong, "It is false, and follows from no line before it."),
-        (Mark::Carried, "It is false, but the step is right: it follows from a false line before it, and costs nothing more."),
+        (
+            Mark::Carried,
+            "It is false, but the step is right: it follows from a false line before it, and costs nothing more.",
+        ),
         (Mark::Given, "It gives a name, a condition or a value, and needs no proof."),
         (Mark::Open, "It was not decided. Your teacher looks at it."),
         (Mark::Unread, "It was not read. Your teacher looks at it."),

@@ -123,13 +123,6 @@ pub struct Line {
     pub credit: Option<f64>,
 }
 
-impl Line {
-    /// Whether it is false, and was left open since it may follow from a false line before it in a way that is not known.
-    pub(super) fn is_unexplained(&self) -> bool {
-        self.mark == Mark::Open && self.follows_from.is_some()
-    }
-}
-
 /// How a hand-in reached a wanted result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reached {

@@ -117,7 +117,7 @@ impl Known {
     pub fn missing(&self, checker: &Checker<'_>, reading: &Reading, is_measured: bool) -> Vec<SymbolId> {
         let closed = self.numbers(checker);
         let closed = self.with_gravity(checker, &closed, GRAVITY[0]).unwrap_or(closed);
-        let gives_a_number = |pair: &&[Expr]| pair[1].symbols().is_empty();
+        let gives_a_number = |pair: &&[Expr]| pair[1].symbols().is_empty() && !pair[1].is_null();
         let pairs = reading.statements.iter().flatten().flat_map(|statement| statement.members.windows(2));
         let open = pairs.filter(gives_a_number).map(|pair| inserted(&pair[0], &closed));
         let open = open.filter(|formula| number(checker, formula).is_none());
@@ -132,8 +132,21 @@ impl Known {
         let mut known = Known::default();
         readings.for_each(|reading| known.add(reading, false));
         known.values.reverse();
-        known.values.extend(self.values.iter().cloned());
-        Known { relations: self.relations.clone(), is_any_number: self.is_any_number, ..known }
+        let all = Known { relations: self.relations.clone(), is_any_number: self.is_any_number, ..known };
+        all.or_of_others(self)
+    }
+
+    /// The same with formulas for symbols of which nothing is known here.
+    pub fn or_of_others(&self, other: &Known) -> Known {
+        let is_new = |(id, _): &&((SymbolId, u8), Expr)| self.values.iter().all(|(known, _)| known != id);
+        let values = self.values.iter().chain(other.values.iter().filter(is_new)).cloned().collect();
+        Known { values, ..self.clone() }
+    }
+
+    /// Without values that are numbers, as they were printed.
+    pub fn formulas(mut self) -> Known {
+        self.values.retain(|(_, value)| !value.symbols().is_empty());
+        self
     }
 
     /// The same with what is known otherwise, which counts for less.
@@ -228,7 +241,8 @@ fn spread(checker: &Checker<'_>, formula: &Expr, closed: &[((SymbolId, u8), Expr
         }
     });
     let gravity = GRAVITY.iter().filter_map(|digits| digits.parse::<f64>().ok());
-    let data = closed.iter().filter(|(_, value)| value.symbols().is_empty()).filter_map(|(_, value)| number(checker, value));
+    let data =
+        closed.iter().filter(|(_, value)| value.symbols().is_empty()).filter_map(|(_, value)| number(checker, value));
     let exact: Vec<f64> = gravity.chain(data).collect();
     let whole = number(checker, formula);
     let offs = rounded.iter().filter_map(|digits| {

@@ -127,6 +127,7 @@ pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document
 
 /// Claims with those that the prose makes, as far as all displays that they are about pass with them: what other texts are judged
 /// by, which no slip in these notes may make wrong.
+#[cfg(feature = "cli")]
 pub(crate) fn with_passing(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Claims {
     if !has_lagrangian(claims) {
         return claims.clone();

@@ -295,10 +295,15 @@ mod tests {
         assert_eq!(plain(r"C = 100\,\mu\mathrm{F}"), r"C = 100 \cdot 10^{-6}");
         assert_eq!(plain(r"x = 100\,\mu \, y"), r"x = 100\,\mu \, y");
         assert_eq!(plain(r"3\,\text{kg} \cdot (9.81 - 3.24)\,\text{m/s}^2"), r"3 \cdot (9.81 - 3.24)");
-        assert_eq!(plain(r"v = \sqrt{2 \cdot 3.24 \cdot 1.5}\,\frac{\text{m}}{\text{s}}"), r"v = \sqrt{2 \cdot 3.24 \cdot 1.5}");
+        assert_eq!(
+            plain(r"v = \sqrt{2 \cdot 3.24 \cdot 1.5}\,\frac{\text{m}}{\text{s}}"),
+            r"v = \sqrt{2 \cdot 3.24 \cdot 1.5}"
+        );
         assert_eq!(plain(r"s = \frac{3}{2}\,\text{cm}"), r"s = \frac{3}{2} \cdot 10^{-2}");
         // The twins: no unit, no number, a subscript.
-        for text in [r"3\,\text{apples}", r"x = \text{m}", r"T_1 \mathrm{m}", r"3 m", r"T_{1} \mathrm{m}", r"(x) \mathrm{m}"] {
+        for text in
+            [r"3\,\text{apples}", r"x = \text{m}", r"T_1 \mathrm{m}", r"3 m", r"T_{1} \mathrm{m}", r"(x) \mathrm{m}"]
+        {
             assert_eq!(plain(text), text);
         }
     }

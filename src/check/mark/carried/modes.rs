@@ -1,4 +1,4 @@
-//! Follow-through of a false equation of motion to the modes: the secular equation that it makes, and the roots of that equation.
+//! Follow-through of a false equation of motion to the modes: the secular equation that it makes.
 
 use crate::formula::{Expr, Node, Relation, SymbolId};
 use crate::latex::Reading;
@@ -24,14 +24,12 @@ pub(super) fn follows(checker: &Checker<'_>, from: usize, own: &Reading, before:
     if symbols.iter().any(|(id, dots)| *dots > 0 || is_moving(*id)) {
         return false;
     }
-    let is_frequency = |id: SymbolId| {
-        let name = &model.symbols.entry(id).name;
-        let is_sought = before.contexts.iter().filter_map(|claim| claim.secular_for.as_ref());
-        let is_sought = is_sought.into_iter().any(|omega| model.name(id) == omega.value);
-        (is_sought, model.normal_frequencies.contains(name))
+    let is_sought = |id: SymbolId| {
+        let mut sought = before.contexts.iter().filter_map(|claim| claim.secular_for.as_ref());
+        sought.any(|omega| model.name(id) == omega.value)
     };
-    let found = symbols.iter().map(|(id, _)| (*id, is_frequency(*id))).find(|(_, (sought, normal))| *sought || *normal);
-    let (Some((omega, (is_sought, _))), Some(own)) = (found, numbers::links(checker, own)) else { return false };
+    let found = symbols.iter().map(|(id, _)| *id).find(|id| is_sought(*id));
+    let (Some(omega), Some(own)) = (found, numbers::links(checker, own)) else { return false };
     let Some(equations) = at_unit_amplitude(checker, from, before, omega) else { return false };
     let free = freed(&checker.without_system(false).model, &[omega], |_| Range::Any);
     let premises = |links: &[Link]| links.iter().map(|link| Hypothesis::of(link.clone(), false)).collect::<Vec<_>>();
@@ -39,13 +37,7 @@ pub(super) fn follows(checker: &Checker<'_>, from: usize, own: &Reading, before:
         numbers::holds(checker, &free, &numbers::beside_one(checker, link), set) == Some(true)
     };
     let fails = |link: &Link, set: &[Hypothesis]| numbers::holds(checker, &free, link, set) == Some(false);
-    if is_sought && own.iter().all(|link| holds(link, &premises(&equations)) && fails(link, &[])) {
-        return true;
-    }
-    // A root: with it the last equation follows from the others.
-    let Some((last, others)) = equations.split_last() else { return false };
-    let with = premises(&[others, &own].concat());
-    holds(last, &with) && fails(&numbers::beside_one(checker, last), &premises(others))
+    own.iter().all(|link| holds(link, &premises(&equations)) && fails(link, &[]))
 }
 
 /// The nearest equations of motion, one for each coordinate and the false one among them, with −ω² times a coordinate for its

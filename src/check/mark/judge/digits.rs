@@ -64,12 +64,13 @@ impl Judge<'_, '_> {
     pub(super) fn carried_number(&self, display: usize, reading: &Reading) -> Option<usize> {
         let is_false = |at: &usize| matches!(self.lines[*at].mark, Mark::Wrong | Mark::Carried);
         let wrong: Vec<usize> = (0..self.lines.len()).filter(is_false).collect();
-        let known = self.known_with_the_problem();
         let text = &self.quiet.notes.equations[display].text;
+        // The student's own lines count for more than what the problem says of the same quantities.
         let fits = |from: &[usize]| {
             let said = from.iter().map(|at| &self.premises[self.world.first + at]);
             let holds = |link: &Reading| matches!(self.status(display, link).0, Status::Holds(_));
-            known.supposing(said).fits(self.quiet, text, reading, holds)
+            let known = self.known.supposing(said).or(&self.data).or_of_others(&self.printed().formulas());
+            known.fits(self.quiet, text, reading, holds)
         };
         if !self.details || wrong.is_empty() || !fits(&wrong) {
             return None;
@@ -80,11 +81,16 @@ impl Judge<'_, '_> {
     /// What is known of numbers, by the lines before a line, by the data of the hand-in and of the problem, and by what the problem
     /// prints.
     fn known_with_the_problem(&self) -> Known {
+        self.known.or(&self.data).or(&self.printed())
+    }
+
+    /// What the problem prints.
+    fn printed(&self) -> Known {
         let mut printed = Known::default();
         for at in 0..self.world.problem.notes.equations.len() {
             printed.add(&self.quiet.readings[at], false);
         }
-        self.known.or(&self.data).or(&printed)
+        printed
     }
 }
 
@@ -110,12 +116,13 @@ pub(super) fn data(checker: &Checker<'_>, world: &World<'_>) -> Known {
         (is_constant && !is_sought(name)).then(|| (name, value.clone()))
     };
     let stated: Vec<Reading> = stated.filter(|reading| gives(reading).is_some()).collect();
-    let own: Vec<&Reading> = checker.readings[world.first..].iter().filter(|reading| gives(reading).is_some()).collect();
+    let own: Vec<&Reading> =
+        checker.readings[world.first..].iter().filter(|reading| gives(reading).is_some()).collect();
     let is_single = |reading: &&&Reading| {
         let found = gives(reading);
-        own.iter().filter_map(|other| gives(other)).all(|other| {
-            found.as_ref().is_some_and(|(name, value)| other.0 != *name || other.1 == *value)
-        })
+        own.iter()
+            .filter_map(|other| gives(other))
+            .all(|other| found.as_ref().is_some_and(|(name, value)| other.0 != *name || other.1 == *value))
     };
     let mut known = Known::default();
     stated.iter().chain(own.iter().filter(is_single).copied()).for_each(|reading| known.add(reading, true));

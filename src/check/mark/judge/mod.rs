@@ -17,7 +17,6 @@ use super::carried::energies;
 use super::given::Implied;
 use super::judged::{Judged, Rival};
 use super::marked::{Because, Line, Mark};
-use super::names::moving;
 use super::motion::{Along, Motion};
 use super::near_rest;
 use super::results;
@@ -104,7 +103,6 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Riv
                 }
             }
         }
-        leave_open_what_no_slip_explains(&quiet, world, &mut lines);
         let found = results::found(&quiet, world, &mut lines, (&premises, details.then_some(&corrected)))?;
         Ok(Judged { lines, found })
     })
@@ -361,38 +359,6 @@ const SEEDS: u64 = 3;
 
 /// What is said of a function of the time that solves the laws and is not that of the model solution.
 const OTHER_START: &str = "solves the equations of motion, but for other initial values than the model solution";
-
-/// Leaves false lines about rest, small oscillations or modes open, in which no likely slip is found, where a line about the motion
-/// before them is wrong: they may follow from that one in a way that is not known here.
-fn leave_open_what_no_slip_explains(checker: &Checker<'_>, world: &World<'_>, lines: &mut [Line]) {
-    let model = checker.model;
-    let special = &world.problem.special;
-    let sought = world.problem.secular.iter().map(|(_, omega)| omega);
-    let names = special.kept().map(|(_, place)| place).chain(special.frequencies()).chain(sought);
-    let names = names.chain(&model.normal_frequencies);
-    let special: Vec<SymbolId> = names.filter_map(|name| Some(model.symbols.find(name)?.0)).collect();
-    let members = |at: usize| {
-        let reading = &checker.readings[world.first + at];
-        reading.statements.iter().flatten().flat_map(|statement| &statement.members)
-    };
-    let is_special = |at: usize| members(at).any(|member| model.depends_on(member, &special));
-    let is_of_motion = |at: usize| members(at).any(|member| model.depends_on(member, &moving(model)));
-    for at in 0..lines.len() {
-        let is_unexplained = |line: &Line| {
-            line.mark == Mark::Wrong && line.slip.is_none() && line.verdict == Some(Verdict::Refuted) && is_special(at)
-        };
-        let root = (0..at).rev().find(|before| lines[*before].mark == Mark::Wrong && is_of_motion(*before));
-        if let Some(root) = root.filter(|_| is_unexplained(&lines[at])) {
-            let because = format!("is false, and may follow from the mistake in {}", lines[root].name);
-            let line = &mut lines[at];
-            (line.mark, line.verdict, line.because) = (Mark::Open, Some(Verdict::Undecided), because.into());
-            line.follows_from = Some(root);
-        }
-        if let (Mark::Carried, Some(from)) = (lines[at].mark, lines[at].follows_from) {
-            lines[at].because = carried(lines, from);
-        }
-    }
-}
 
 fn carried(lines: &[Line], from: usize) -> Because {
     let mut root = from;

@@ -50,9 +50,8 @@ pub(super) fn tables(
         // What moves stays what moves: `\xi = x - x_0` is no Lagrangian T − U.
         let moves = |name: &Name| known.names.iter().any(|(known, role, _)| known == name && *role == Role::Moving);
         let keeps = |a: &Name, b: &Name| !is_number(a) || moves(a) == moves(b);
-        let fits = |(a, b): (&Name, &StandsFor)| {
-            stands(a) && is_open(&b.name) && is_number(&b.name) && keeps(a, &b.name)
-        };
+        let fits =
+            |(a, b): (&Name, &StandsFor)| stands(a) && is_open(&b.name) && is_number(&b.name) && keeps(a, &b.name);
         table.iter().all(fits) && !is_exchange(table)
     };
     // The letters with which a line is an equation of the problem, beside those that are known.
@@ -73,10 +72,7 @@ pub(super) fn tables(
                 pairs = new;
             }
         }
-        let mut table = other(&pairs);
-        add_subscripts(&mut table, own.iter().map(|(_, entry)| &entry.name).filter(|name| is_own(name)), |name| {
-            is_number(name) && is_free(name)
-        });
+        let table = other(&pairs);
         if !table.is_empty() && !found.contains(&table) {
             found.push(table);
         }
@@ -84,21 +80,6 @@ pub(super) fn tables(
     found.sort_by_key(|table| std::cmp::Reverse(table.len()));
     found.truncate(MOST);
     found
-}
-
-/// Adds the letters with subscripts of a letter that stands for another one: p_1 for ω_1, where p stands for ω. `is_open` tells the
-/// names of the problem for which a letter may stand.
-fn add_subscripts<'n>(table: &mut Letters, own: impl Iterator<Item = &'n Name>, is_open: impl Fn(&Name) -> bool) {
-    for name in own.filter(|name| !name.subscript.is_empty()) {
-        let plain = Name { subscript: Vec::new(), ..name.clone() };
-        let Some(other) = table.get(&plain).filter(|other| other.dots == 0 && other.name.subscript.is_empty()) else {
-            continue;
-        };
-        let other = Name { subscript: name.subscript.clone(), ..other.name.clone() };
-        if is_open(&other) && !table.contains_key(name) {
-            table.insert(name.clone(), StandsFor { name: other, dots: 0 });
-        }
-    }
 }
 
 /// Whether letters of the problem only change places among themselves, as m and k do in `e^{-mt/k}`: that is a mistake.

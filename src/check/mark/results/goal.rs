@@ -163,8 +163,13 @@ impl Goal {
             lines[at].mark == Mark::Right
                 && own.iter().any(|link| [&link.lhs, &link.rhs].into_iter().any(|side| is_power_of(side, id)))
         };
+        let is_place = |id: SymbolId| {
+            let name = &checker.model.symbols.entry(id).name;
+            world.problem.special.kept().any(|(_, place)| place == name)
+        };
         let is_known = |id: SymbolId| match checker.model.meaning(id) {
             Some(Meaning::Defined(_)) => (0..lines.len()).any(|at| gives(id, at)),
+            _ if is_place(id) => (0..lines.len()).any(|at| gives(id, at)),
             _ => true,
         };
         let says = |link: &Link, wanted: &Link| {

@@ -54,7 +54,8 @@ pub(super) fn found(
         let search = Goal::of(checker, world, wanted).map(|goal| Search { checker, world, goal, readings: &readings });
         let found = search.and_then(|search| {
             let right = search.right(lines);
-            right.or_else(|| search.with_slip(lines, corrected?))
+            let found = right.or_else(|| search.with_slip(lines, corrected?));
+            found.or_else(|| search.in_other_quantities(lines))
         });
         all.push(found);
     }
@@ -94,17 +95,20 @@ impl<R: Fn(usize) -> Vec<Reading>> Search<'_, '_, R> {
         if let Some(line) = parts.as_ref().and_then(|parts| parts.iter().copied().max()) {
             return Some(Found { parts: parts.unwrap_or_default(), ..found(line) });
         }
-        // The form that the model solution has on the way, where lines say what its other quantities are.
-        let in_other_quantities = |at: &usize| {
-            lines[*at].mark == Mark::Right
-                && (self.readings)(*at)
-                    .iter()
-                    .any(|reading| goal.is_with_known_quantities(checker, world, reading, lines))
-        };
         // A right number for what is wanted, where no line has the formula.
         let computed = |at: &usize| lines[*at].mark == Mark::Right && self.is_number(*at);
-        let mut all = 0..lines.len();
-        all.clone().find(in_other_quantities).or_else(|| all.find(computed)).map(found)
+        (0..lines.len()).find(computed).map(found)
+    }
+
+    /// The right line that has the form of the model solution on the way, where lines say what its other quantities are.
+    fn in_other_quantities(&self, lines: &[Line]) -> Option<Found> {
+        let says = |at: &usize| {
+            let mut own = (self.readings)(*at).into_iter();
+            lines[*at].mark == Mark::Right
+                && own.any(|reading| self.goal.is_with_known_quantities(self.checker, self.world, &reading, lines))
+        };
+        let line = (0..lines.len()).find(says)?;
+        Some(Found { line, is_right: true, lost: None, parts: Vec::new() })
     }
 
     /// Whether a line gives a number for what is wanted.
@@ -115,7 +119,7 @@ impl<R: Fn(usize) -> Vec<Reading>> Search<'_, '_, R> {
 
     /// The line that reaches the result with a slip. `corrected` are the texts of lines without their slips.
     fn with_slip(&self, lines: &mut [Line], corrected: &[Option<String>]) -> Option<Found> {
-        let is_false = |line: &Line| matches!(line.mark, Mark::Wrong | Mark::Carried) || line.is_unexplained();
+        let is_false = |line: &Line| matches!(line.mark, Mark::Wrong | Mark::Carried);
         let mut with_slip = None;
         for at in (0..lines.len()).rev().filter(|at| is_false(&lines[*at])) {
             let Some(off) = self.attempt(at, corrected[at].as_deref()) else { continue };
@@ -192,4 +196,3 @@ pub(super) fn prints_a_law(checker: &Checker<'_>, world: &World<'_>, reading: &R
     };
     !own.is_empty() && own.iter().all(|own| laws.iter().any(|law| is_it(own, law)))
 }
-
