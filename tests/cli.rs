@@ -23,6 +23,8 @@ mod formulas;
 mod init;
 #[path = "cli/mark.rs"]
 mod mark;
+#[path = "cli/mark_classes.rs"]
+mod mark_classes;
 #[path = "cli/mark_letters.rs"]
 mod mark_letters;
 #[path = "cli/mark_motion.rs"]

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use crate::check::mark::{Marked, Problem};
+use crate::check::mark::{Mark, Marked, Problem, Reached};
 use crate::check::{Options, Run};
 use crate::error::reason;
 use crate::notes::{Claims, Notes};
@@ -62,7 +62,7 @@ enum Form {
 }
 
 pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) -> Outcome {
-    let (class, errors) = match marked(arguments, registry) {
+    let (class, warnings, errors) = match marked(arguments, registry) {
         Ok(found) => found,
         Err(error) => return Outcome { output: String::new(), messages: shown(&[error], screen), code: 2 },
     };
@@ -84,14 +84,14 @@ pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
         () if class.iter().any(Marked::is_open) => 2,
         () => 0,
     };
-    Outcome { output, messages: shown(&errors, screen), code }
+    Outcome { output, messages: warnings + &shown(&errors, screen), code }
 }
 
-/// The marked hand-ins, and the errors of those that cannot be opened.
+/// The marked hand-ins, what is to be said of the model solution, and the errors of hand-ins that cannot be opened.
 ///
 /// # Errors
 /// For a problem that cannot be used.
-fn marked(arguments: &Arguments, registry: &Registry) -> Result<(Vec<Marked>, Vec<Error>)> {
+fn marked(arguments: &Arguments, registry: &Registry) -> Result<(Vec<Marked>, String, Vec<Error>)> {
     let at = &arguments.claims;
     let claims = Claims::read(at, &at.display().to_string())?;
     let path = claims.notes_path();
@@ -99,6 +99,8 @@ fn marked(arguments: &Arguments, registry: &Registry) -> Result<(Vec<Marked>, Ve
     let options = Options { seed: arguments.seed, points: 24, explain: true, ..Options::default() };
     let run = Run { registry, options, only: None, progress: &() };
     let problem = Problem::prepare(&run, &claims, &notes)?;
+    // What is held against the model solution would be held against every student who writes the same.
+    let warnings = of_the_model(&problem.mark(&run, &path, &notes.source.text));
     let mut errors = Vec::new();
     let mut files = Vec::new();
     for path in &arguments.files {
@@ -123,7 +125,28 @@ fn marked(arguments: &Arguments, registry: &Registry) -> Result<(Vec<Marked>, Ve
             Err(error) => errors.push(error),
         }
     }
-    Ok((marked, errors))
+    Ok((marked, warnings, errors))
+}
+
+/// What the marks of the model solution itself show of the problem: its lines that are wrong, and its results that it does not reach.
+fn of_the_model(model: &Marked) -> String {
+    let path = &model.source.path;
+    let mut text = String::new();
+    for line in model.lines.iter().filter(|line| line.mark == Mark::Wrong) {
+        text += &format!(
+            "warning: {path}:{}: this line of the model solution would be marked wrong in a hand-in: it {}\n  help: declare \
+             its names, or say in words under which condition it holds\n\n",
+            line.line, line.because
+        );
+    }
+    for result in model.results.iter().filter(|result| result.reached == Reached::No) {
+        text += &format!(
+            "warning: {path}: no hand-in can reach the result {}: no line of the model solution reaches it\n  help: print \
+             it as a formula, and take numbers out of the rubric\n\n",
+            marks::called(result)
+        );
+    }
+    text
 }
 
 /// The hand-ins that a path names: the file, or the notes in a folder, without the problem's own.

@@ -103,6 +103,13 @@ impl Address {
         Ok(Address { text: text.clone(), span: written.span, items })
     }
 
+    /// The address of the display with a number; `span` is the place in the claims file that is blamed for it.
+    pub fn of_number(number: &str, span: Span) -> Address {
+        let target = Target::Number(number.to_owned());
+        let point = Point { target, row: None, part: None, step: None, span };
+        Address { text: number.to_owned(), span, items: vec![Item::One(point)] }
+    }
+
     /// The point, if the address is neither a list nor a range.
     pub fn single(&self) -> Option<&Point> {
         match self.items.as_slice() {

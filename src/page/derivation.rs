@@ -66,7 +66,11 @@ pub(super) fn passages(lecture: &Lecture, prefix: &str) -> Markup {
 fn shown(lecture: &Lecture, line: &Line, prefix: &str) -> Markup {
     let Some(equation) = lecture.equation(line) else { return html! {} };
     let verdict = equation.finding.verdict;
-    let class = format!("equation {} {}", verdict.word(), tone(verdict, equation.ok));
+    // What is taken for granted has no verdict to show.
+    let class = match line.from.is_empty() {
+        true => "equation given".to_owned(),
+        false => format!("equation {} {}", verdict.word(), tone(verdict, equation.ok)),
+    };
     html! {
         section class=(class) id=(equation_anchor(prefix, &line.number)) {
             div class="wide" tabindex="0" role="group" aria-label={ "Equation (" (line.number) ")" } {
@@ -80,13 +84,21 @@ fn shown(lecture: &Lecture, line: &Line, prefix: &str) -> Markup {
                         @if at > 0 { ", " }
                         a href={ "#" (equation_anchor(prefix, number)) } { "(" (number) ")" }
                     }
-                    (bound(equation))
                 }
-                @if !line.values.is_empty() {
-                    " · value "
-                    (line.values.iter().map(|value| number(*value, 5)).collect::<Vec<_>>().join(", "))
-                }
+                @if !equation.ok { " · " (equation.finding.message) }
             }
+            @if !line.from.is_empty() { (evidence(line, equation)) }
+        }
+    }
+}
+
+/// What the verdict rests on, folded away.
+fn evidence(line: &Line, equation: &Equation) -> Markup {
+    let values: Vec<String> = line.values.iter().map(|value| number(*value, 5)).collect();
+    html! {
+        details class="note" {
+            summary { "Evidence" }
+            p { (bound(equation)) @if !values.is_empty() { " The value in the state that is compared is " (values.join(", ")) "." } }
         }
     }
 }
@@ -96,9 +108,8 @@ fn bound(equation: &Equation) -> Markup {
     let finding = &equation.finding;
     html! {
         @match (finding.false_accept_log2, &finding.not_certified_because) {
-            (Some(power), _) => { " · false with probability below 2" sup { (format!("{:.0}", power.ceil())) } }
-            (None, Some(reason)) => { " · not certified because of " (reason) }
-            (None, None) if !equation.ok => { " · " (finding.message) }
+            (Some(power), _) => { "It is false with a probability below 2" sup { (format!("{:.0}", power.ceil())) } "." }
+            (None, Some(reason)) => { "It is not certified because of " (reason) "." }
             (None, None) => {}
         }
     }

@@ -42,7 +42,7 @@ pub(super) fn evidence(
     html! {
         p { (capital(&finding.message)) "." }
         (rests_on(item, document, prefix))
-        @if !item.reading.is_empty() { p { "Read as " code { (item.reading) } } }
+        @if !item.reading.is_empty() { p { "Read as " span class="reading" { (item.reading) } } }
         @if !item.parts.is_empty() {
             ol class="parts" {
                 @for part in &item.parts {

@@ -41,7 +41,7 @@ fn index(problem: &str, class: &[Marked], names: &[String]) -> Markup {
     html! {
         header {
             h1 { "Marks" }
-            p { (class.len()) " hand-ins, marked by " (problem) "." }
+            p { (class.len()) " hand-ins, marked by " (file_name(problem)) "." }
         }
         div class="wide" tabindex="0" role="group" aria-label="Students and their points" {
             table {
@@ -54,7 +54,7 @@ fn index(problem: &str, class: &[Marked], names: &[String]) -> Markup {
                     @for (marked, name) in class.iter().zip(names) {
                         tr {
                             th scope="row" { a href=(name) { (marked.student) } }
-                            td { (number(marked.got())) " of " (number(marked.points())) }
+                            td { (number(marked.got())) "/" (number(marked.points())) }
                             td { (marked.count(Mark::Right)) } td { (marked.count(Mark::Wrong)) } td { (marked.count(Mark::Carried)) }
                             td { (marked.results.iter().filter(|result| result.reached == Reached::No).count()) }
                             td { (marked.count(Mark::Unread) + marked.count(Mark::Open) + usize::from(marked.fault.is_some())) }
@@ -85,7 +85,7 @@ fn student(marked: &Marked, hints: Hints) -> Markup {
     html! {
         header {
             h1 { (marked.student) }
-            p class="path" { (marked.source.path) }
+            p class="path" { (file_name(&marked.source.path)) }
             p { (number(marked.got())) " of " (number(marked.points())) " points" }
         }
         @if let Some(fault) = &marked.fault { p { "This file could not be read: " (fault) "." } }
@@ -95,6 +95,8 @@ fn student(marked: &Marked, hints: Hints) -> Markup {
                 @if at > 0 { ", " } (typeset::inline(own, &macros)) " stands for " (typeset::inline(other, &macros))
             } "." }
         }
+        // The table would say where something is wrong.
+        @if hints.0 > 0 { (results(marked)) }
         article { @for block in &blocks { (block) } }
         @if !inline.is_empty() {
             section aria-labelledby="inline" {
@@ -102,6 +104,13 @@ fn student(marked: &Marked, hints: Hints) -> Markup {
                 @for (at, line) in inline { (shown(marked, (at, line), &macros, hints)) }
             }
         }
+        @if hints.0 > 0 { (legend(marked)) }
+    }
+}
+
+/// The results that are wanted, with what is reached of them.
+fn results(marked: &Marked) -> Markup {
+    html! {
         section aria-labelledby="results" {
             h2 id="results" { "Results" }
             div class="wide" tabindex="0" role="group" aria-label="Results and their points" {
@@ -113,7 +122,7 @@ fn student(marked: &Marked, hints: Hints) -> Markup {
                                 th scope="row" { (called(result)) }
                                 td {
                                     (result.reached.word())
-                                    @if let Some(line) = result.line.filter(|_| hints.0 > 0) {
+                                    @if let Some(line) = result.line {
                                         ", " a href={ "#line-" (line) } { (marked.lines[line].name) }
                                     }
                                 }
@@ -127,14 +136,68 @@ fn student(marked: &Marked, hints: Hints) -> Markup {
     }
 }
 
-fn shown(marked: &Marked, (at, line): (usize, &Line), macros: &[MacroDefinition], hints: Hints) -> Markup {
-    let tone = match line.mark {
+/// What the marks on the page mean, as far as they occur.
+fn legend(marked: &Marked) -> Markup {
+    let all = [
+        (Mark::Right, "It follows from the problem."),
+        (Mark::Wrong, "It is false, and follows from no line before it."),
+        (
+            Mark::Carried,
+            "It is false, but the step is right: it follows from a false line before it, and costs nothing more.",
+        ),
+        (Mark::Given, "It gives a name, a condition or a value, and needs no proof."),
+        (Mark::Open, "It was not decided. Your teacher looks at it."),
+        (Mark::Unread, "It was not read. Your teacher looks at it."),
+    ];
+    html! {
+        section aria-labelledby="legend" {
+            h2 id="legend" { "What the marks mean" }
+            dl class="legend" {
+                @for (mark, meaning) in all.iter().filter(|(mark, _)| marked.count(*mark) > 0) {
+                    div { dt { span class={ "badge " (tone(*mark)) } { (mark.sign()) " " (mark.word()) } } dd { (meaning) } }
+                }
+            }
+        }
+    }
+}
+
+/// A path without its folders, which say nothing to a student.
+fn file_name(path: &str) -> &str {
+    std::path::Path::new(path).file_name().and_then(|name| name.to_str()).unwrap_or(path)
+}
+
+/// The tone of a mark.
+fn tone(mark: Mark) -> &'static str {
+    match mark {
         Mark::Right => "good",
         Mark::Given => "given",
         Mark::Wrong => "bad",
         Mark::Carried => "known",
         Mark::Open | Mark::Unread => "open",
-    };
+    }
+}
+
+/// What is said to the student of a line: what only a teacher can change is not told.
+fn said(line: &Line) -> String {
+    match line.mark {
+        Mark::Open => "This line was not decided here. Your teacher looks at it".to_owned(),
+        Mark::Unread => "This line was not read here. Your teacher looks at it".to_owned(),
+        _ => format!("This line {}", line.because),
+    }
+}
+
+/// What to do with a wrong line.
+fn advice(marked: &Marked, at: usize) -> &'static str {
+    let is_sound = |line: &Line| matches!(line.mark, Mark::Right | Mark::Given);
+    match (at, marked.lines[..at].iter().all(is_sound)) {
+        (0, _) => "Check this line",
+        (_, true) => "Check this step: the lines before it are right",
+        (_, false) => "Check this step",
+    }
+}
+
+fn shown(marked: &Marked, (at, line): (usize, &Line), macros: &[MacroDefinition], hints: Hints) -> Markup {
+    let tone = tone(line.mark);
     let class = if hints.0 == 0 { "given" } else { tone };
     html! {
         section class={ "equation " (class) } id={ "line-" (at) } aria-label=(line.name) {
@@ -147,11 +210,12 @@ fn shown(marked: &Marked, (at, line): (usize, &Line), macros: &[MacroDefinition]
             }
             @if hints.0 > 0 {
                 p {
-                    (capital(&line.because.to_string()))
-                    @if let Some(from) = line.follows_from { " (" a href={ "#line-" (from) } { (marked.lines[from].name) } ")" }
+                    (said(line))
+                    @let is_named = |from: &usize| line.because.to_string().contains(&marked.lines[*from].name);
+                    @if let Some(from) = line.follows_from.filter(|from| line.mark == Mark::Carried && !is_named(from)) { " (" a href={ "#line-" (from) } { (marked.lines[from].name) } ")" }
                     "."
-                    @if let (Some(result), Some(credit)) = (line.result.and_then(|at| marked.results.get(at)), line.credit) {
-                        " Result " (called(result)) ": " (number(credit)) " of " (number(result.points)) " points."
+                    @for result in marked.results.iter().filter(|result| result.line == Some(at)) {
+                        " Result " (called(result)) ": " (number(result.got)) " of " (number(result.points)) " points."
                     }
                 }
                 @if line.mark == Mark::Wrong {
@@ -164,6 +228,7 @@ fn shown(marked: &Marked, (at, line): (usize, &Line), macros: &[MacroDefinition]
                             p { (capital(&hint(marked, line, Hints(2)))) ". It is off by, or should read:" }
                             div class="wide" tabindex="0" role="group" aria-label="What it should be" { (typeset::block(derived, macros)) }
                         }
+                        _ if hints.0 == 1 => p { (advice(marked, at)) "." },
                         _ => p { (capital(&hint(marked, line, hints))) "." },
                     }
                 }

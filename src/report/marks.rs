@@ -268,7 +268,7 @@ pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
 /// The lines of a hand-in, each with its mark, and under it what is to be said of it.
 fn marked_lines(marked: &Marked, hints: Hints, style: Style, out: &mut String) {
     let width = marked.lines.iter().map(|line| line.name.len()).max().unwrap_or(0);
-    for line in &marked.lines {
+    for (at, line) in marked.lines.iter().enumerate() {
         let first = format!("  {} {:width$}  ", line.mark.sign(), line.name);
         *out += &(wrap(&first, &shortened(&line.statement), 4 + width + 2, style.width) + "\n");
         let mut notes = Vec::new();
@@ -278,8 +278,7 @@ fn marked_lines(marked: &Marked, hints: Hints, style: Style, out: &mut String) {
             Mark::Unread => notes.push(format!("{}: {}; mark this line by hand", line.mark.word(), line.because)),
             _ => notes.push(format!("{}: {}", line.mark.word(), line.because)),
         }
-        if let (Some(at), Some(credit)) = (line.result, line.credit) {
-            let result = &marked.results[at];
+        for result in marked.results.iter().filter(|result| result.line == Some(at)) {
             let how = match result.reached {
                 Reached::Yes => String::new(),
                 // With a name, the words before stand between commas.
@@ -290,7 +289,7 @@ fn marked_lines(marked: &Marked, hints: Hints, style: Style, out: &mut String) {
                 }
                 reached => format!(", {}", reached.word()),
             };
-            notes.push(format!("result {}{how}: {} of {}", called(result), number(credit), number(result.points)));
+            notes.push(format!("result {}{how}: {} of {}", called(result), number(result.got), number(result.points)));
         }
         if line.mark == Mark::Wrong {
             notes.push(hint(marked, line, hints));

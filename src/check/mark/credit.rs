@@ -3,7 +3,7 @@
 //! A slip costs points once: at the first result that it spoils. There the result gets half, if the rubric says so of that
 //! kind of slip, and else nothing. Later results that carry the slip on are given in full.
 
-use super::judged::Judged;
+use super::judged::{Found, Judged};
 use super::marked::{Line, Mark, Reached, ResultMark};
 use super::problem::Problem;
 
@@ -19,7 +19,7 @@ pub(super) fn given(problem: &Problem, judged: Judged) -> (Vec<Line>, Vec<Result
         let result = &mut results[at];
         result.line = Some(found.line);
         let share = match found.is_right {
-            true if has_steps(at, found.line, &lines) => {
+            true if has_steps(found, &lines) => {
                 result.reached = Reached::Yes;
                 1.0
             }
@@ -73,16 +73,19 @@ pub(super) fn nothing(problem: &Problem) -> Vec<ResultMark> {
     problem.wanted.iter().map(missing).collect()
 }
 
-/// Whether a line before the one that reaches a result leads to it. The first result needs none, unless it is all that there
-/// is.
-fn has_steps(result: usize, line: usize, lines: &[Line]) -> bool {
+/// Whether a line before the one that reaches a result leads to it. What stands first in a hand-in needs none, unless it is all that
+/// there is.
+fn has_steps(found: &Found, lines: &[Line]) -> bool {
     // A condition inside the text leads nowhere by itself.
     let is_step = |line: &Line| match line.mark {
         Mark::Right | Mark::Carried | Mark::Wrong => true,
         Mark::Given => !line.inline,
         Mark::Open | Mark::Unread => false,
     };
+    let line = found.line;
+    // The statements of the result itself do not lead to it.
+    let is_other = |at: &usize| is_step(&lines[*at]) && *at != line && !found.parts.contains(at);
     let is_chain = lines[line].statement.matches('=').count() > 1;
-    let is_first = result == 0 && lines.iter().filter(|line| is_step(line)).count() > 1;
-    lines[..line].iter().any(is_step) || is_chain || is_first
+    let is_first = !lines[..line].iter().any(is_step) && (0..lines.len()).any(|at| is_other(&at));
+    (0..line).any(|at| is_other(&at)) || is_chain || is_first
 }

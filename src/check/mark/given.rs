@@ -16,18 +16,22 @@ use crate::check::model::meaning::Meaning;
 /// The names in `wanted` are results, and no conditions. Where the text says that it is one (`is_said`), it may say that an
 /// acceleration vanishes, as in equilibrium.
 pub(super) fn may_be(checker: &Checker<'_>, statement: &Statement, wanted: &[SymbolId], is_said: bool) -> bool {
+    let moves = |rate: &Expr| {
+        let Node::Symbol { id, .. } = &rate.node else { return false };
+        matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)))
+    };
+    let rests = |rate: &Expr, value: &Expr| is_said && value.is_null() && moves(rate);
+    // All of several rates: "at rest $\dot x = \ddot x = 0$".
+    if let Some((last, rates)) = statement.members.split_last().filter(|(_, rates)| rates.len() > 1) {
+        let is_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
+        return is_equal && is_said && last.is_null() && rates.iter().all(moves);
+    }
     let ([first, second], [(relation, _)]) = (statement.members.as_slice(), statement.relations.as_slice()) else {
         return false;
     };
     if !is_equality(*relation) {
         return true;
     }
-    let rests = |rate: &Expr, value: &Expr| {
-        let Node::Symbol { id, .. } = &rate.node else { return false };
-        is_said
-            && value.is_null()
-            && matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)))
-    };
     sets(checker, first, second, (wanted, is_said))
         || sets(checker, second, first, (wanted, is_said))
         || rests(first, second)
@@ -302,7 +306,13 @@ pub(super) fn solved_for(checker: &Checker<'_>, difference: &Expr, (id, dots): (
     let variable = Variable { id, indices: Vec::new(), dots };
     // A momentum in the equation is a quantity of its own.
     let is_momentum = |other: &SymbolId| matches!(checker.model.meaning(*other), Some(Meaning::System(_)));
-    let fixed: Vec<SymbolId> = difference.symbols().into_iter().map(|(other, _)| other).filter(is_momentum).collect();
+    // So is what the symbol does not go into.
+    let is_apart = |other: &SymbolId| {
+        let symbol = Expr::new(Node::Symbol { id: *other, indices: Vec::new(), dots: 0 }, difference.span);
+        *other != id && !checker.model.depends_on(&symbol, &[id])
+    };
+    let others = difference.symbols().into_iter().map(|(other, _)| other);
+    let fixed: Vec<SymbolId> = others.filter(|other| is_momentum(other) || is_apart(other)).collect();
     let scope = Scope { symbols: &checker.model.symbols, fixed: &fixed };
     let slope = partial(difference, &variable, scope, difference.span).ok()?;
     let mut rest = difference.clone();
@@ -339,7 +349,7 @@ fn sign_of_one(formula: &Expr) -> Option<Sign> {
 }
 
 /// Leaves the terms that are a literal 0 out of sums: a claim about small quantities would take each for a term of its own.
-fn without_zeros(formula: &mut Expr) {
+pub(super) fn without_zeros(formula: &mut Expr) {
     formula.children_mut().into_iter().for_each(without_zeros);
     let Node::Sum(terms) = &mut formula.node else { return };
     let has_others = terms.iter().any(|term| !term.expr.is_null());

@@ -14,6 +14,8 @@ pub(super) struct Found {
     pub is_right: bool,
     /// The kind of the slip, if it is known.
     pub lost: Option<Lost>,
+    /// The lines that say the statements of the result, where these stand on lines of their own.
+    pub parts: Vec<usize>,
 }
 
 /// The lines of a hand-in with their marks, and the lines that reach the wanted results.

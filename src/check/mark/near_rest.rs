@@ -2,7 +2,7 @@
 //! the small deviation θ − θ_0. A line may say what ε is, or only the words beside it.
 
 use crate::formula::derivative::{Scope, rate};
-use crate::formula::{Expr, Node, Relation, SymbolId};
+use crate::formula::{Expr, Node, Relation, Sign, SymbolId, Term};
 use crate::latex::Reading;
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
@@ -12,6 +12,7 @@ use crate::check::model::meaning::Meaning;
 
 use super::carried::numbers;
 use super::given;
+use super::names::moving;
 use super::special::Special;
 use super::status::{Status, approximate, status};
 use super::world::World;
@@ -24,6 +25,14 @@ pub(super) fn holds(checker: &Checker<'_>, world: &World<'_>, display: usize, re
     }
     let own: Vec<SymbolId> =
         world.declared.iter().filter_map(|name| Some(checker.model.symbols.find(name)?.0)).collect();
+    // The line is about the place if it names it, or a deviation from it; else it is about any motion.
+    let mut members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+    let places: Vec<SymbolId> =
+        special.places().iter().filter_map(|(_, place)| Some(checker.model.symbols.find(place)?.0)).collect();
+    let is_about_it = |(id, _): &(SymbolId, u8)| places.contains(id) || own.contains(id);
+    if !members.any(|member| member.symbols().iter().any(is_about_it)) {
+        return false;
+    }
     let of_problem = world.problem.notes.equations.len();
     let said = |text: String| Spanned::new(text, Span::default());
     let small = special.places().iter().map(|(of, place)| said(format!("{of} - {place}")));
@@ -55,6 +64,7 @@ pub(super) fn about_places(
         for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
             *member = given::expanded(checker, before, member.clone());
             with_rates(checker, member);
+            given::without_zeros(member);
         }
         reading
     };
@@ -150,9 +160,33 @@ fn symbol(id: SymbolId) -> Expr {
 fn with_rates(checker: &Checker<'_>, formula: &mut Expr) {
     formula.children_mut().into_iter().for_each(|child| with_rates(checker, child));
     let Node::TimeDerivative(order, inner) = &formula.node else { return };
+    if let Some(rates) = rates_of_terms(checker, inner, *order) {
+        *formula = rates;
+        return;
+    }
     let scope = Scope { symbols: &checker.model.symbols, fixed: &[] };
     let taken = (0..*order).try_fold((**inner).clone(), |of, _| rate(&of, scope, formula.span));
     if let Ok(taken) = taken {
         *formula = taken;
+    }
+}
+
+/// The rate of a sum of symbols, as x − x_0 is: those that move have dots, and the others fall away.
+fn rates_of_terms(checker: &Checker<'_>, formula: &Expr, order: u8) -> Option<Expr> {
+    let Node::Sum(terms) = &formula.node else { return None };
+    let moving = moving(checker.model);
+    let mut rates = Vec::new();
+    for term in terms {
+        let Node::Symbol { id, indices, dots } = &term.expr.node else { return None };
+        if checker.model.depends_on(&term.expr, &moving) {
+            matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_))).then_some(())?;
+            let node = Node::Symbol { id: *id, indices: indices.clone(), dots: dots.saturating_add(order) };
+            rates.push(Term { expr: Expr::new(node, term.expr.span), ..term.clone() });
+        }
+    }
+    match rates.as_slice() {
+        [] => None,
+        [only] if only.sign == Sign::Plus => Some(only.expr.clone()),
+        _ => Some(Expr::new(Node::Sum(rates), formula.span)),
     }
 }

@@ -2,13 +2,14 @@
 
 use crate::formula::symbols::Name;
 use crate::latex::names;
-use crate::notes::address::{self, Address, Point, Target};
+use crate::notes::address::Address;
 use crate::notes::claims::{Claim, Claims, Declaration, Role, Rubric, Share, Spanned};
 use crate::notes::{Display, Notes, Numbered};
 use crate::source::Span;
 use crate::{Error, Result};
 
 use crate::check::document::setup::{Run, assign, with_checker};
+use crate::check::prose_claims;
 use crate::check::run::check_in;
 use crate::check::sample::context::Options;
 use crate::check::verdict::Verdict;
@@ -73,6 +74,7 @@ impl Problem {
         let notes = &numbered(notes);
         let mut claims = by_number(claims, notes)?;
         (claims.sentences, claims.steps) = (Vec::new(), Vec::new());
+        claims = prose_claims::with_passing(run, &claims, notes);
         let (mut verdicts, mut open) = self::verdicts(run, &claims, notes)?;
         if let Some(with) = with_accelerations(&claims, notes)
             && let Ok((new, still)) = self::verdicts(run, &with, notes)
@@ -211,15 +213,11 @@ fn numbered(notes: &Notes) -> Notes {
 /// The claims, in which each equation has one address: its number. A snippet could stand in a hand-in too.
 fn by_number(claims: &Claims, notes: &Notes) -> Result<Claims> {
     let assigned = assign(claims, notes)?;
-    let number = |display: &Display| display.id().unwrap_or_default().to_owned();
     let mut equations = Vec::new();
     for (display, claim) in notes.equations.iter().zip(assigned) {
         let Some(claim) = claim else { continue };
         let span = claims.equations.first().map_or(claims.notes.span, |(address, _)| address.span);
-        let target = Target::Number(number(display));
-        let point = Point { target, row: None, part: None, step: None, span };
-        let address = Address { text: number(display), span, items: vec![address::Item::One(point)] };
-        equations.push((address, claim.clone()));
+        equations.push((Address::of_number(display.id().unwrap_or_default(), span), claim.clone()));
     }
     Ok(Claims { equations, ..claims.clone() })
 }

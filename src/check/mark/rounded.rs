@@ -98,7 +98,8 @@ impl Known {
     /// Whether each equality of a reading of `text` holds with the numbers that are known, where a number of at least two
     /// digits stands for all that are rounded to it; `holds` decides those that have other quantities.
     pub fn fits(&self, checker: &Checker<'_>, text: &str, reading: &Reading, holds: impl Fn(&Reading) -> bool) -> bool {
-        if !self.is_any_number || reading.statements.is_empty() {
+        let is_computed = self.is_any_number || is_arithmetic(reading);
+        if !is_computed || reading.statements.is_empty() {
             return false;
         }
         // A student may go on with numbers as they were rounded.
@@ -111,18 +112,50 @@ impl Known {
         ways.into_iter().any(|closed| fits_with(checker, (text, reading), &closed, &holds))
     }
 
-    /// The quantities of which a value is missing, for a reading that gives a formula a number where other quantities have numbers.
-    pub fn missing(&self, checker: &Checker<'_>, reading: &Reading) -> Vec<SymbolId> {
+    /// The quantities of which a value is missing, for a reading that gives a formula a number where other quantities have numbers,
+    /// or that prints a measured number (`is_measured`).
+    pub fn missing(&self, checker: &Checker<'_>, reading: &Reading, is_measured: bool) -> Vec<SymbolId> {
         let closed = self.numbers(checker);
         let closed = self.with_gravity(checker, &closed, GRAVITY[0]).unwrap_or(closed);
-        let gives_a_number = |pair: &&[Expr]| pair[1].symbols().is_empty();
+        let gives_a_number = |pair: &&[Expr]| pair[1].symbols().is_empty() && !pair[1].is_null();
         let pairs = reading.statements.iter().flatten().flat_map(|statement| statement.members.windows(2));
         let open = pairs.filter(gives_a_number).map(|pair| inserted(&pair[0], &closed));
         let open = open.filter(|formula| number(checker, formula).is_none());
         let mut found: Vec<SymbolId> = open.flat_map(|formula| formula.symbols()).map(|(id, _)| id).collect();
         found.sort_unstable();
         found.dedup();
-        if self.is_any_number { found } else { Vec::new() }
+        if self.is_any_number || is_measured { found } else { Vec::new() }
+    }
+
+    /// The same with what further readings say, which counts for more than any formula; the last of them for most.
+    pub fn supposing<'r>(&self, readings: impl Iterator<Item = &'r Reading>) -> Known {
+        let mut known = Known::default();
+        readings.for_each(|reading| known.add(reading, false));
+        known.values.reverse();
+        let all = Known { relations: self.relations.clone(), is_any_number: self.is_any_number, ..known };
+        all.or_of_others(self)
+    }
+
+    /// The same with formulas for symbols of which nothing is known here.
+    pub fn or_of_others(&self, other: &Known) -> Known {
+        let is_new = |(id, _): &&((SymbolId, u8), Expr)| self.values.iter().all(|(known, _)| known != id);
+        let values = self.values.iter().chain(other.values.iter().filter(is_new)).cloned().collect();
+        Known { values, ..self.clone() }
+    }
+
+    /// Without values that are numbers, as they were printed.
+    pub fn formulas(mut self) -> Known {
+        self.values.retain(|(_, value)| !value.symbols().is_empty());
+        self
+    }
+
+    /// The same with what is known otherwise, which counts for less.
+    pub fn or(&self, other: &Known) -> Known {
+        Known {
+            values: self.values.iter().chain(&other.values).cloned().collect(),
+            relations: self.relations.iter().chain(&other.relations).cloned().collect(),
+            is_any_number: self.is_any_number || other.is_any_number,
+        }
     }
 
     /// The numbers with a value of standard gravity, if the problem has a constant g that has no value.
@@ -175,7 +208,8 @@ fn fits_with(
             if let [Some(value), Some(printed)] = values {
                 any = true;
                 let off = text.get(pair[1].span.range()).and_then(half_a_digit).unwrap_or(0.0);
-                return (value - printed).abs() <= off.max(EQUAL * printed.abs());
+                let by_parts: f64 = pair.iter().map(|side| spread(checker, side, closed)).sum();
+                return (value - printed).abs() <= (off + by_parts).max(EQUAL * printed.abs());
             }
             let members = pair.to_vec();
             let alone = Statement { members, relations: vec![*relation], ..statement.clone() };
@@ -183,6 +217,49 @@ fn fits_with(
         })
     });
     any && all
+}
+
+/// Whether all members of a reading are numbers.
+fn is_arithmetic(reading: &Reading) -> bool {
+    let mut members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+    members.all(|member| member.symbols().is_empty())
+}
+
+/// How far a product or a sum of numbers may be off since some of them are rounded, as 0.866 is in `3.0 - 0.20 \cdot 0.866`. The data
+/// of the problem, and g, are not.
+fn spread(checker: &Checker<'_>, formula: &Expr, closed: &[((SymbolId, u8), Expr)]) -> f64 {
+    if matches!(formula.node, Node::Number(_)) || !formula.symbols().is_empty() {
+        return 0.0;
+    }
+    let mut rounded: Vec<String> = Vec::new();
+    formula.walk(&mut |part| {
+        if let Node::Number(digits) = &part.node
+            && digits.contains('.')
+            && !rounded.contains(digits)
+        {
+            rounded.push(digits.clone());
+        }
+    });
+    let gravity = GRAVITY.iter().filter_map(|digits| digits.parse::<f64>().ok());
+    let data =
+        closed.iter().filter(|(_, value)| value.symbols().is_empty()).filter_map(|(_, value)| number(checker, value));
+    let exact: Vec<f64> = gravity.chain(data).collect();
+    let whole = number(checker, formula);
+    let offs = rounded.iter().filter_map(|digits| {
+        let (value, half) = (digits.parse::<f64>().ok()?, half_a_digit(digits)?);
+        if exact.iter().any(|known| (known - value).abs() <= EQUAL * value.abs()) {
+            return None;
+        }
+        let mut moved = formula.clone();
+        moved.substitute(&|node| match node {
+            Node::Number(found) if found == digits => {
+                Some(Expr::new(Node::Number(format!("{}", value + half)), formula.span))
+            }
+            _ => None,
+        });
+        Some((number(checker, &moved)? - whole?).abs())
+    });
+    offs.sum()
 }
 
 /// Whether the two sides of a link with ≈ agree to the digits that are printed on its right side, in states that obey

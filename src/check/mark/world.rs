@@ -216,7 +216,10 @@ impl<'p> World<'p> {
                     _ => None,
                 };
                 let readings = checker.readings[first..].iter();
-                Ok(readings.flat_map(|reading| faults(reading).filter_map(of).collect::<Vec<_>>()).collect())
+                let missing = readings.flat_map(|reading| faults(reading).filter_map(of).collect::<Vec<_>>());
+                // A constant of integration needs no declaration to be read, and is the student's own all the same.
+                let free = checker.model.constants.iter().map(|constant| checker.model.name(constant.symbol));
+                Ok(missing.chain(free).collect())
             })?;
             let mut is_new = false;
             for name in missing.iter().filter_map(|name| Some(names::parse(name)?.0)) {

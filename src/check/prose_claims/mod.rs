@@ -127,6 +127,23 @@ pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document
     Ok(found)
 }
 
+/// Claims with those that the prose makes, as far as all displays that they are about pass with them: what other texts are judged
+/// by, which no slip in these notes may make wrong.
+#[cfg(feature = "cli")]
+pub(crate) fn with_passing(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Claims {
+    if !has_lagrangian(claims) {
+        return claims.clone();
+    }
+    let brief = Run { only: None, progress: &(), options: Options { explain: false, ..run.options }, ..*run };
+    let (said, found) = kept(&brief, (claims, notes), infer(claims, notes), |claim, found, notes| {
+        claim.findings(found, notes).into_iter().all(passes)
+    });
+    let with = added(claims, notes, &said);
+    let Some(found) = found.or_else(|| check_in(&brief, &with, notes).ok()) else { return with };
+    let (special, _) = cases(&brief, (&with, notes), &found, &[]);
+    added(&with, notes, &special)
+}
+
 /// The claims that stand together, and the document with them, without explanations; none where there is no claim. Their displays
 /// pass, or edits make them pass, which are sought last, since they cost most.
 fn standing(
@@ -183,9 +200,22 @@ fn special_cases(
     found: &Document,
     dropped: &[ProseClaim],
 ) -> Vec<ProseClaim> {
+    let (mut special, doubtful) = cases(run, (claims, notes), found, dropped);
+    let with = added(claims, notes, &special);
+    special.extend(correctable(run, (&with, notes), doubtful));
+    special
+}
+
+/// The same, as far as the displays pass, and the claims that are refuted.
+fn cases(
+    run: &Run<'_>,
+    (claims, notes): (&Claims, &Notes),
+    found: &Document,
+    dropped: &[ProseClaim],
+) -> (Vec<ProseClaim>, Vec<ProseClaim>) {
     let (mut special, mut doubtful) = (Vec::new(), Vec::new());
     if !has_lagrangian(claims) {
-        return special;
+        return (special, doubtful);
     }
     let names = NotesNames::of(claims, notes);
     let fails = |at: usize| {
@@ -216,9 +246,7 @@ fn special_cases(
         doubtful.extend(refuted);
         doubtful.retain(|claim| open.contains(&claim.displays[0]));
     }
-    let with = added(claims, notes, &special);
-    special.extend(correctable(run, (&with, notes), doubtful));
-    special
+    (special, doubtful)
 }
 
 /// Which of some claims hold: their displays pass with them, and which are refuted. Those that do not fit their displays are neither.
@@ -372,10 +400,7 @@ pub(crate) fn added(claims: &Claims, notes: &Notes, said: &[ProseClaim]) -> Clai
             let Some(id) = notes.equations[*at].id() else { continue };
             match with.equations.iter_mut().find(|(address, _)| address.text == id) {
                 Some((_, known)) => join(known, new),
-                None => {
-                    let address = Address::parse(&spanned(id.to_owned()), &claims.source);
-                    with.equations.extend(address.ok().map(|address| (address, new.clone())));
-                }
+                None => with.equations.push((Address::of_number(id, Span::default()), new.clone())),
             }
         }
     }

@@ -46,7 +46,17 @@ pub(super) fn edits(text: &str) -> Vec<(Span, String)> {
             Some((Span::new(number.end, end), size.factor()))
         })
     }));
+    edits.extend(units::groups(text).into_iter().filter_map(|group| {
+        let (end, size) = units(text, group)?;
+        Some((Span::new(group, end), size.factor()))
+    }));
     edits
+}
+
+/// Whether a text prints a number with decimals or with a unit, which somebody measured or computed.
+#[cfg(feature = "cli")]
+pub fn has_a_measured_number(text: &str) -> bool {
+    units::is_measured(text)
 }
 
 /// The edits that make the sum of all of one kind a name: `\sum F = m a`, `\sum_k U_k = 0`.

@@ -99,6 +99,39 @@ pub(super) fn numbers(text: &str) -> Vec<Span> {
     found
 }
 
+/// The ends of groups of numbers and nothing else, after which a unit may stand: `(9.81 - 3.24)\,\text{m/s}^2`,
+/// `\sqrt{2 \cdot 3.24}\,\text{m/s}`.
+pub(super) fn groups(text: &str) -> Vec<usize> {
+    let opening = |close: usize| {
+        let (open, shut) = if text[close..].starts_with(')') { ('(', ')') } else { ('{', '}') };
+        let mut depth = 0;
+        text[..=close].char_indices().rev().find_map(|(at, c)| {
+            depth += i32::from(c == shut) - i32::from(c == open);
+            (depth == 0).then_some(at)
+        })
+    };
+    let ends = text.char_indices().filter(|(_, c)| [')', '}'].contains(c)).map(|(at, _)| at);
+    let is_numeric = |inside: &str| {
+        let commands = ["\\cdot", "\\times", "\\sqrt", "\\frac", "\\left", "\\right"];
+        let plain = commands.iter().fold(inside.to_owned(), |text, command| text.replace(command, " "));
+        plain.contains(|c: char| c.is_ascii_digit()) && !plain.contains(char::is_alphabetic)
+    };
+    ends.filter(|close| {
+        opening(*close).is_some_and(|open| {
+            // A subscript or a power is no number.
+            !text[..open].ends_with(['_', '^']) && is_numeric(&text[open + 1..*close])
+        })
+    })
+    .map(|close| close + 1)
+    .collect()
+}
+
+/// Whether a text prints a number with decimals or with a unit, which somebody measured or computed.
+#[cfg(feature = "cli")]
+pub(super) fn is_measured(text: &str) -> bool {
+    numbers(text).into_iter().any(|number| text[number.range()].contains('.') || units(text, number.end).is_some())
+}
+
 /// A number in degrees, as a multiple of π.
 pub(super) fn degrees(text: &str, number: Span) -> Option<(Span, String)> {
     let rest = &text[number.end..];
@@ -261,8 +294,16 @@ mod tests {
         assert_eq!(plain(r"x = 2\,\text{eV}^2/\text{J}"), r"x = 2 \cdot 1.602176634^{2} \cdot 10^{-38}");
         assert_eq!(plain(r"C = 100\,\mu\mathrm{F}"), r"C = 100 \cdot 10^{-6}");
         assert_eq!(plain(r"x = 100\,\mu \, y"), r"x = 100\,\mu \, y");
+        assert_eq!(plain(r"3\,\text{kg} \cdot (9.81 - 3.24)\,\text{m/s}^2"), r"3 \cdot (9.81 - 3.24)");
+        assert_eq!(
+            plain(r"v = \sqrt{2 \cdot 3.24 \cdot 1.5}\,\frac{\text{m}}{\text{s}}"),
+            r"v = \sqrt{2 \cdot 3.24 \cdot 1.5}"
+        );
+        assert_eq!(plain(r"s = \frac{3}{2}\,\text{cm}"), r"s = \frac{3}{2} \cdot 10^{-2}");
         // The twins: no unit, no number, a subscript.
-        for text in [r"3\,\text{apples}", r"x = \text{m}", r"T_1 \mathrm{m}", r"3 m"] {
+        for text in
+            [r"3\,\text{apples}", r"x = \text{m}", r"T_1 \mathrm{m}", r"3 m", r"T_{1} \mathrm{m}", r"(x) \mathrm{m}"]
+        {
             assert_eq!(plain(text), text);
         }
     }

@@ -77,7 +77,7 @@ fn has_the_frequency(step: &Step<'_, '_>) -> bool {
 }
 
 /// A model in which names of the problem are free.
-fn freed(model: &Model, names: &[SymbolId], range: impl Fn(SymbolId) -> Range) -> Model {
+pub(super) fn freed(model: &Model, names: &[SymbolId], range: impl Fn(SymbolId) -> Range) -> Model {
     let mut free = model.clone();
     for id in names {
         free.mean(*id, Meaning::Varying(free.varying.len()));

@@ -10,6 +10,7 @@ mod change;
 mod derived;
 pub(super) mod energies;
 mod freed;
+mod modes;
 pub(super) mod numbers;
 mod origin;
 mod step;

@@ -1,8 +1,9 @@
 //! The false line from which a false line follows: the ways are tried in turn, from the line before it backwards.
 
 use super::Before;
-use super::{about_rest, another_value, change, derived, freed, numbers, step};
+use super::{about_rest, another_value, change, derived, freed, modes, numbers, step};
 use crate::Result;
+use crate::formula::symbols::Name;
 use crate::formula::{Expr, Node, Statement, SymbolId};
 use crate::latex::{Reading, read_formula};
 use crate::notes::claims::Claim;
@@ -55,6 +56,7 @@ pub(in crate::check::mark) fn origin(
         if is_about_rest(checker, wrong, (at, own), before.special)
             || about_rest::follows(checker, *from, own, before)
             || change::follows(checker, *from, own)
+            || modes::follows(checker, *from, own, before)
         {
             return Ok(Some(*from));
         }
@@ -102,11 +104,20 @@ fn is_about_rest(checker: &Checker<'_>, wrong: &Reading, (at, own): (usize, &Rea
         };
         derived::symbols(own).iter().any(is_place).then(|| numbers::says(checker, own, &rest, places))
     };
-    if rests() == Some(true) {
+    if rests() == Some(true) || is_condition_of_rest(checker, wrong, own, places) {
         return true;
     }
     let small = derived::accelerated(checker, wrong, own);
     small.is_some_and(|small| special.is_linear(checker, own) && special.holds_when_small(checker, at, &small))
+}
+
+/// Whether a line is the condition for rest that a false equation of motion gives, up to a factor: no state may obey it, as none obeys
+/// a sum of positive terms that is 0.
+fn is_condition_of_rest(checker: &Checker<'_>, wrong: &Reading, own: &Reading, places: &[(Name, Name)]) -> bool {
+    let rest = derived::at_rest(checker, wrong, places);
+    let links = |reading: &Reading| numbers::links(checker, reading).filter(|links| links.len() == 1);
+    let (Some(rest), Some(own)) = (rest.as_ref().and_then(links), links(own)) else { return false };
+    checker.proportional(&own[0], &rest[0], &[]).unwrap_or(false)
 }
 
 /// Whether a line holds where a name of the problem means what a false line says that it is, by itself or as a secular equation.

@@ -10,8 +10,10 @@ use crate::check::mark::carried::numbers;
 use crate::check::mark::given::{self, Implied};
 use crate::check::mark::marked::{Line, Mark};
 use crate::check::mark::motion::Along;
+use crate::check::mark::names::moving;
 use crate::check::mark::status::{Status, stated, status};
 use crate::check::model::claim::is_equality;
+use crate::check::model::meaning::Meaning;
 use crate::check::verdict::Verdict;
 
 use super::Judge;
@@ -118,6 +120,33 @@ impl Judge<'_, '_> {
         })
     }
 
+    /// Whether a line that names the place where a coordinate stays holds while it stays there, and the others turn in one sense: the
+    /// speed on a circle, `v = r_0 \dot\varphi = u`.
+    pub(super) fn holds_at_a_place(&self, checker: &Checker<'_>, display: usize, reading: &Reading) -> bool {
+        let model = checker.model;
+        let find = |name| Some(model.symbols.find(name)?.0);
+        let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        let has = |id: SymbolId, least: u8| {
+            members().any(|member| member.symbols().iter().any(|(found, dots)| *found == id && *dots >= least))
+        };
+        let said = |text: String| Spanned::new(text, Span::default());
+        self.world.problem.special.kept().any(|(of, place)| {
+            let (Some(of_id), Some(place_id)) = (find(of), find(place)) else { return false };
+            let turning: Vec<SymbolId> =
+                model.coordinates.iter().map(|known| known.symbol).filter(|id| *id != of_id && has(*id, 1)).collect();
+            let claim = Claim {
+                throughout: vec![said(format!("{of} = {place}"))],
+                assume: turning.iter().map(|id| said(format!("\\dot{{{}}} > 0", model.name(*id)))).collect(),
+                ..Claim::default()
+            };
+            // Of the coordinate itself the line says nothing there.
+            !turning.is_empty()
+                && has(place_id, 0)
+                && !has(of_id, 0)
+                && self.holds_under(checker, display, reading, &claim)
+        })
+    }
+
     /// Whether a line with two signs holds with one of them.
     pub(super) fn has_a_true_sign(&self, display: usize, reading: &Reading) -> bool {
         let holds = |statement: &Statement| {
@@ -138,6 +167,25 @@ impl Judge<'_, '_> {
         let rest = Statement { members, relations, ..statement.clone() };
         let rest = Reading { statements: vec![Ok(rest)], introduced: Vec::new() };
         is_it(last) && !others.iter().any(is_it) && matches!(self.status(display, &rest).0, Status::Holds(_))
+    }
+
+    /// Whether a line puts another variable in the place of a coordinate, `x = x_0 + \varepsilon`: a quantity of the student's own that
+    /// moves and that a line with accelerations uses, beside the coordinate and constants.
+    pub(super) fn is_another_variable(&self, reading: &Reading, implied: &Implied) -> bool {
+        let model = self.quiet.model;
+        let own = implied.symbol();
+        let [Ok(statement)] = reading.statements.as_slice() else { return false };
+        let symbols: Vec<(SymbolId, u8)> = statement.members.iter().flat_map(Expr::symbols).collect();
+        let is_coordinate = |id: SymbolId| model.is_coordinate(id);
+        let moving = moving(model);
+        let is_fixed = |id: SymbolId| {
+            let symbol = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
+            !model.depends_on(&symbol, &moving)
+        };
+        statement.members.len() == 2
+            && matches!(model.meaning(own), Some(Meaning::Varying(_)))
+            && symbols.iter().filter(|(id, _)| is_coordinate(*id)).count() == 1
+            && symbols.iter().all(|(id, dots)| *dots == 0 && (*id == own || is_coordinate(*id) || is_fixed(*id)))
     }
 
     /// The name of the last condition, if a line follows from it and from a true line before it.

@@ -1,12 +1,19 @@
 //! Numbers that are printed with so many digits.
 
-use crate::formula::{Expr, Relation, Statement};
-use crate::latex::Reading;
+use std::collections::HashMap;
+
+use crate::formula::{Expr, Relation, Statement, SymbolId};
+use crate::latex::rename::renamed;
+use crate::latex::{Reading, foreign};
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
 
+use crate::check::document::checker::Checker;
+use crate::check::mark::marked::Mark;
 use crate::check::mark::rounded::{self, Known};
 use crate::check::mark::status::Status;
+use crate::check::mark::world::World;
+use crate::check::model::meaning::Meaning;
 
 use super::Judge;
 
@@ -46,17 +53,78 @@ impl Judge<'_, '_> {
         known.fits(self.quiet, text, reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
     }
 
-    /// The quantities of which a value is missing, for a line that gives a number where numbers were put in.
-    pub(super) fn missing_values(&self, reading: &Reading) -> Vec<String> {
-        let missing = self.known_with_the_problem().missing(self.quiet, reading);
+    /// The quantities of which a value is missing, for a line that gives a number where numbers were put in, or a measured number.
+    pub(super) fn missing_values(&self, display: usize, reading: &Reading) -> Vec<String> {
+        let is_measured = foreign::has_a_measured_number(&self.world.written[display - self.world.first].text);
+        let missing = self.known_with_the_problem().missing(self.quiet, reading, is_measured);
         missing.into_iter().map(|id| self.world.in_own_letters(&self.quiet.model.name(id))).collect()
     }
 
-    fn known_with_the_problem(&self) -> Known {
-        let mut known = self.known.clone();
-        for at in 0..self.world.problem.notes.equations.len() {
-            known.add(&self.quiet.readings[at], false);
+    /// The false line, by its place, with whose formula a line that prints numbers is right.
+    pub(super) fn carried_number(&self, display: usize, reading: &Reading) -> Option<usize> {
+        let is_false = |at: &usize| matches!(self.lines[*at].mark, Mark::Wrong | Mark::Carried);
+        let wrong: Vec<usize> = (0..self.lines.len()).filter(is_false).collect();
+        let text = &self.quiet.notes.equations[display].text;
+        // The student's own lines count for more than what the problem says of the same quantities.
+        let fits = |from: &[usize]| {
+            let said = from.iter().map(|at| &self.premises[self.world.first + at]);
+            let holds = |link: &Reading| matches!(self.status(display, link).0, Status::Holds(_));
+            let known = self.known.supposing(said).or(&self.data).or_of_others(&self.printed().formulas());
+            known.fits(self.quiet, text, reading, holds)
+        };
+        if !self.details || wrong.is_empty() || !fits(&wrong) {
+            return None;
         }
-        known
+        wrong.iter().rev().find(|at| fits(&[**at])).or(wrong.last()).copied()
     }
+
+    /// What is known of numbers, by the lines before a line, by the data of the hand-in and of the problem, and by what the problem
+    /// prints.
+    fn known_with_the_problem(&self) -> Known {
+        self.known.or(&self.data).or(&self.printed())
+    }
+
+    /// What the problem prints.
+    fn printed(&self) -> Known {
+        let mut printed = Known::default();
+        for at in 0..self.world.problem.notes.equations.len() {
+            printed.add(&self.quiet.readings[at], false);
+        }
+        printed
+    }
+}
+
+/// The numbers that the text of the problem and all of a hand-in give to constants: also those that come after the line in which
+/// they are used. What a hand-in gives several values is no datum.
+pub(super) fn data(checker: &Checker<'_>, world: &World<'_>) -> Known {
+    let notes = &world.problem.notes;
+    let stated = notes.inline.iter().filter_map(|span| notes.source.text.get(span.range())).map(|text| {
+        let text = renamed(text.trim_matches('$'), &checker.model.macros, &HashMap::new()).text;
+        checker.as_printed(&text, &Claim::default(), &checker.model.macros)
+    });
+    // What the model solution gives a formula, or what its laws are about, is no datum.
+    let of_problem = &checker.readings[..notes.equations.len()];
+    let is_sought = |id: SymbolId| {
+        let mut first = of_problem.iter().flat_map(|reading| reading.statements.iter().flatten());
+        first.any(|statement| statement.members.first().and_then(Expr::as_plain_symbol) == Some(id))
+    };
+    let gives = |reading: &Reading| -> Option<(SymbolId, Expr)> {
+        let [Ok(statement)] = reading.statements.as_slice() else { return None };
+        let [name, value] = statement.members.as_slice() else { return None };
+        let name = name.as_plain_symbol().filter(|_| value.symbols().is_empty())?;
+        let is_constant = matches!(checker.model.meaning(name), Some(Meaning::Constant(_)));
+        (is_constant && !is_sought(name)).then(|| (name, value.clone()))
+    };
+    let stated: Vec<Reading> = stated.filter(|reading| gives(reading).is_some()).collect();
+    let own: Vec<&Reading> =
+        checker.readings[world.first..].iter().filter(|reading| gives(reading).is_some()).collect();
+    let is_single = |reading: &&&Reading| {
+        let found = gives(reading);
+        own.iter()
+            .filter_map(|other| gives(other))
+            .all(|other| found.as_ref().is_some_and(|(name, value)| other.0 != *name || other.1 == *value))
+    };
+    let mut known = Known::default();
+    stated.iter().chain(own.iter().filter(is_single).copied()).for_each(|reading| known.add(reading, true));
+    known
 }

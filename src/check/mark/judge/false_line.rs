@@ -140,19 +140,19 @@ impl Judge<'_, '_> {
     fn as_true_otherwise(&mut self, at: usize, reading: &Reading) -> Result<Option<Reason>> {
         let written = &self.world.written[at];
         let display = self.world.first + at;
-        if let Some(trial) = self.trial(at, reading) {
-            self.trials.push(trial);
-            // What follows from it is not judged as a step from a solution of the problem.
-            self.trusted[display] = Reading::default();
-            return Ok(Some(given("is a trial solution, with names that the problem does not have")));
+        if self.is_tried(at, reading) {
+            return Ok(Some(given(TRIAL)));
         }
         if let Some(name) = self.follows_from_a_trial(reading) {
             return Ok(Some(right(format!("follows from the trial solution in {name}"))));
         }
         if !self.is_about_a_trial(reading)
+            && !self.ends_are_false(display, reading)
             && let Some(implied) = Implied::by(self.quiet, (&self.world.declared, &self.open), reading)
             && let Some(all) = self.given_by(display, reading, implied.clone())
-            && (self.names_the_last(display, reading, &implied) || !(self.details && self.is_slip(at)?))
+            && (self.names_the_last(display, reading, &implied)
+                || self.is_another_variable(reading, &implied)
+                || !(self.details && self.is_slip(at)?))
         {
             let name = implied.name(self.quiet);
             let because = match self.open.contains(&implied.symbol()) {
@@ -204,6 +204,18 @@ impl Judge<'_, '_> {
         Ok(None)
     }
 
+    /// Whether a line tries a solution, which is then kept for the lines after it.
+    pub(super) fn is_tried(&mut self, at: usize, reading: &Reading) -> bool {
+        let trial = self.trial(at, reading);
+        let is_tried = trial.is_some() || self.is_of_a_mode(at, reading);
+        self.trials.extend(trial);
+        if is_tried {
+            // What follows from it is not judged as a step from a solution of the problem.
+            self.trusted[self.world.first + at] = Reading::default();
+        }
+        is_tried
+    }
+
     /// The displays of the lines before for which something holds.
     fn displays(&self, wanted: impl Fn(&Line) -> bool) -> Vec<usize> {
         (0..self.lines.len()).filter(|n| wanted(&self.lines[*n])).map(|n| self.world.first + n).collect()
@@ -231,6 +243,9 @@ impl Judge<'_, '_> {
         {
             return Ok(Some(from - self.world.first));
         }
+        if let Some(start) = self.carried_number(display, reading).or_else(|| self.carried_from_a_trial(reading)) {
+            return Ok(Some(start));
+        }
         if let Some(start) = self.starts_as_a_false_line(display, reading) {
             return Ok(Some(start));
         }
@@ -255,7 +270,7 @@ impl Judge<'_, '_> {
         if let Some(why) = self.another_meaning(display, reading).filter(|_| self.details) {
             return Ok((Mark::Open, Some(Verdict::Undecided), why));
         }
-        let missing = if self.details { self.missing_values(reading) } else { Vec::new() };
+        let missing = if self.details { self.missing_values(display, reading) } else { Vec::new() };
         if !missing.is_empty() {
             let because = format!("is a number, and no line gives the value of {}", missing.join(", "));
             return Ok((Mark::Open, Some(Verdict::Undecided), because));
@@ -268,6 +283,9 @@ impl Judge<'_, '_> {
         Ok((Mark::Wrong, None, because.to_owned()))
     }
 }
+
+/// What is said of a trial solution.
+pub(super) const TRIAL: &str = "is a trial solution, with names that the problem does not have";
 
 /// Why a condition is left open.
 const UNSAID: &str = "is a condition that the problem does not have, and no word before it says that it is a condition";

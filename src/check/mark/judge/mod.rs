@@ -84,6 +84,7 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Riv
             conditions: Vec::new(),
             breaks: Vec::new(),
             known: Known::default(),
+            data: digits::data(&quiet, world),
             trials: Vec::new(),
             lines: Vec::new(),
         };
@@ -135,6 +136,8 @@ struct Judge<'j, 'c> {
     breaks: Vec<Break>,
     /// What the lines say that symbols are.
     known: Known,
+    /// The numbers that the problem and the whole hand-in give.
+    data: Known,
     /// The trial solutions.
     trials: Vec<trial::Trial>,
     lines: Vec<Line>,
@@ -189,6 +192,10 @@ impl Judge<'_, '_> {
         if matches!(status, Status::Open(..) | Status::False(_)) && self.is_near(display, &reading) {
             (status, under) = (Status::Holds(Verdict::Verified), Some("is right to the printed digits".into()));
         }
+        // ≈ is = beside a number.
+        if matches!(status, Status::Open(..)) && self.is_rounded(display, &reading) {
+            (status, under) = (Status::Holds(Verdict::Verified), Some("is right to the printed digits".into()));
+        }
         if self.details && energies::is_sum_of_energies(self.quiet, &reading) {
             (line.mark, line.verdict) = (Mark::Wrong, Some(Verdict::Refuted));
             line.because = "is not the Lagrangian, which is the kinetic minus the potential energy".into();
@@ -207,6 +214,11 @@ impl Judge<'_, '_> {
             }
             Status::Given(verdict, what) => {
                 (line.mark, line.verdict, line.because) = (Mark::Given, Some(verdict), what.into());
+            }
+            // In a state it cannot be put to the test, as e^{i\omega t} has none.
+            Status::Open(..) if self.is_tried(at, &reading) => {
+                (line.mark, line.verdict) = (Mark::Given, Some(Verdict::Assumed));
+                line.because = false_line::TRIAL.into();
             }
             Status::Open(verdict, message) => {
                 (line.mark, line.verdict, line.because) = (Mark::Open, Some(verdict), message.into());
@@ -301,6 +313,9 @@ impl Judge<'_, '_> {
         }
         if (is_near || special.has_modes_at_places()) && near_rest::holds(&checker, self.world, display, reading) {
             return (Status::Holds(Verdict::Verified), Some("follows for small motion about the place of rest".into()));
+        }
+        if self.holds_at_a_place(&checker, display, reading) {
+            return (Status::Holds(Verdict::Verified), Some("follows while the motion stays at the place".into()));
         }
         if let Some((text, name)) = self.conditions.last() {
             let span = Span::default();

@@ -1,6 +1,6 @@
 //! Trial solutions, `x_1 = A_1 \cos\omega t` with names of the student's own, and what the laws say of those names.
 
-use crate::formula::{Expr, Node, SymbolId};
+use crate::formula::{Expr, Node, Relation, SymbolId};
 use crate::latex::Reading;
 
 use crate::check::mark::carried::numbers;
@@ -43,6 +43,52 @@ impl Judge<'_, '_> {
         })
     }
 
+    /// Whether a line says of the coordinates what holds in a mode alone: one is a multiple of another with a factor of the student's
+    /// own, `x_2 = \rho x_1`, or each oscillates with the frequency that the problem seeks, `\ddot x_1 = -\omega^2 x_1`.
+    pub(super) fn is_of_a_mode(&self, at: usize, reading: &Reading) -> bool {
+        let written = &self.world.written[at];
+        if !(written.inline || written.is_tried) || written.continues.is_some() {
+            return false;
+        }
+        let [Ok(statement)] = reading.statements.as_slice() else { return false };
+        let [first, second] = statement.members.as_slice() else { return false };
+        let model = self.quiet.model;
+        let Node::Symbol { id, dots, .. } = &first.node else { return false };
+        let others = second.symbols();
+        let moving: Vec<&(SymbolId, u8)> = others.iter().filter(|(other, _)| model.is_coordinate(*other)).collect();
+        let [(other, 0)] = moving.as_slice() else { return false };
+        let factors = || others.iter().filter(|(factor, _)| factor != other);
+        let is_sought = |factor: SymbolId| {
+            let name = &model.symbols.entry(factor).name;
+            let secular = &self.world.problem.secular;
+            secular.iter().any(|(_, omega)| omega == name) || model.normal_frequencies.contains(name)
+        };
+        let is_product = matches!(&second.node, Node::Product(factors) if factors.iter().all(|factor| factor.as_plain_symbol().is_some()));
+        let is_multiple = *dots == 0
+            && is_product
+            && other != id
+            && factors().count() == 1
+            && factors().all(|(factor, _)| {
+                self.is_own(*factor) && matches!(model.meaning(*factor), Some(Meaning::Constant(_)))
+            });
+        let is_oscillation = *dots == 2
+            && other == id
+            && factors().count() == 1
+            && factors().all(|(factor, _)| is_sought(*factor))
+            && self.is_minus_its_square_times(second, (factors().next().map(|(factor, _)| *factor), *other));
+        !self.world.problem.secular.is_empty() && model.is_coordinate(*id) && (is_multiple || is_oscillation)
+    }
+
+    /// Whether a formula is -ω² times a coordinate.
+    fn is_minus_its_square_times(&self, formula: &Expr, (omega, of): (Option<SymbolId>, SymbolId)) -> bool {
+        let Some(omega) = omega else { return false };
+        let symbol = |id| Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, formula.span);
+        let product = Expr::new(Node::Product(vec![symbol(omega), symbol(omega), symbol(of)]), formula.span).negated();
+        let model = self.quiet.without_system(false).model;
+        let link = self.quiet.link(formula, Relation::Equal, &product);
+        link.is_ok_and(|link| numbers::holds(self.quiet, &model, &link, &[]) == Some(true))
+    }
+
     /// Whether a line has a name of a trial solution: the laws say what it is, and the line does not define it.
     pub(super) fn is_about_a_trial(&self, reading: &Reading) -> bool {
         let of_trials: Vec<SymbolId> =
@@ -54,16 +100,35 @@ impl Judge<'_, '_> {
     /// The line of a trial solution from which a line follows with the laws: it says of the student's own names what the
     /// equations of motion say of them with the trial in the place of the coordinates.
     pub(super) fn follows_from_a_trial(&self, reading: &Reading) -> Option<&str> {
-        let last = self.trials.last().filter(|_| self.details)?;
-        let own = numbers::links(self.quiet, reading)?;
+        let last = self.trials.last()?.line.as_str();
+        self.follows_with_trials(reading, &self.equations_of_motion()).then_some(last)
+    }
+
+    /// The false equation of motion, by its place among the lines, from which a line follows with a trial solution.
+    pub(super) fn carried_from_a_trial(&self, reading: &Reading) -> Option<usize> {
+        let is_false = |at: &usize| matches!(self.lines[*at].mark, Mark::Wrong | Mark::Carried);
+        let mut all: Vec<usize> = (0..self.lines.len()).filter(is_false).collect();
+        all.reverse();
+        all.into_iter().find(|at| {
+            let display = self.world.first + at;
+            self.follows_with_trials(reading, &self.about_tried_coordinates(std::iter::once(display)))
+        })
+    }
+
+    /// Whether a line follows from equations of motion with the trials in the place of the coordinates.
+    fn follows_with_trials(&self, reading: &Reading, equations: &[Link]) -> bool {
+        if !self.details || self.trials.is_empty() {
+            return false;
+        }
+        let Some(own) = numbers::links(self.quiet, reading) else { return false };
         let model = self.quiet.without_system(false).model;
         let moves = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
         let symbols = |link: &Link| [link.lhs.symbols(), link.rhs.symbols()].concat();
         if own.iter().flat_map(symbols).any(|(id, _)| moves(id)) {
-            return None;
+            return false;
         }
         let is_left = |link: &Link| !symbols(link).into_iter().any(|(id, _)| moves(id));
-        let equations = self.equations_of_motion().into_iter().map(|link| self.with_trials(&link));
+        let equations = equations.iter().map(|link| self.with_trials(link));
         let premises: Vec<Hypothesis> =
             equations.flatten().filter(is_left).take(EQUATIONS).map(|link| Hypothesis::of(link, false)).collect();
         let follows = |link: &Link, premises: &[Hypothesis]| {
@@ -74,7 +139,7 @@ impl Judge<'_, '_> {
         };
         // States are found more easily for one equation alone.
         let from_one = |link: &Link| premises.chunks(1).any(|one| follows(link, one));
-        own.iter().all(|link| from_one(link) || follows(link, &premises)).then_some(last.line.as_str())
+        own.iter().all(|link| from_one(link) || follows(link, &premises))
     }
 
     /// The equations of motion that the problem and the true lines print.
@@ -84,8 +149,12 @@ impl Judge<'_, '_> {
         let is_true = |at: &usize| verdicts[*at].holds() || verdicts[*at] == Verdict::Law;
         let sound = |at: &usize| self.lines[*at].mark == Mark::Right;
         let lines = (0..self.lines.len()).filter(sound).map(|at| self.world.first + at);
-        let all = of_problem.filter(is_true).chain(lines);
-        let links = all.flat_map(|at| numbers::links(self.quiet, &self.quiet.readings[at]).unwrap_or_default());
+        self.about_tried_coordinates(of_problem.filter(is_true).chain(lines))
+    }
+
+    /// The equalities of displays that have rates of coordinates for which a solution is tried.
+    fn about_tried_coordinates(&self, displays: impl Iterator<Item = usize>) -> Vec<Link> {
+        let links = displays.flat_map(|at| numbers::links(self.quiet, &self.quiet.readings[at]).unwrap_or_default());
         let is_tried =
             |(id, dots): &(SymbolId, u8)| *dots > 0 && self.trials.iter().any(|trial| trial.coordinate == *id);
         links.filter(|link| link.lhs.symbols().iter().chain(&link.rhs.symbols()).any(is_tried)).collect()

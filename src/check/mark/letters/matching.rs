@@ -10,7 +10,7 @@ use crate::latex::{Macros, read_display};
 use crate::source::Span;
 
 use crate::check::document::setup::define_macros;
-use crate::check::mark::names::{Letters, Names, StandsFor};
+use crate::check::mark::names::{Letters, Names, Role, StandsFor};
 use crate::check::mark::problem::Problem;
 use crate::check::mark::written::Written;
 
@@ -47,7 +47,10 @@ pub(super) fn tables(
     let is_sound = |table: &Letters| {
         let stands = |a: &Name| is_own(a) || is_number(a);
         let is_open = |b: &Name| is_free(b) || table.contains_key(b);
-        let fits = |a: &Name, b: &Name| stands(a) && is_open(b) && is_number(b) && may_stand_for(a, b);
+        // What moves stays what moves: `\xi = x - x_0` is no Lagrangian T − U.
+        let moves = |name: &Name| known.names.iter().any(|(known, role, _)| known == name && *role == Role::Moving);
+        let keeps = |a: &Name, b: &Name| !is_number(a) || moves(a) == moves(b);
+        let fits = |a: &Name, b: &Name| stands(a) && is_open(b) && is_number(b) && keeps(a, b) && may_stand_for(a, b);
         table.iter().all(|(a, b)| fits(a, &b.name)) && !is_exchange(table)
     };
     // The letters with which a line is an equation of the problem, beside those that are known.

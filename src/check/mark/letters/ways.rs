@@ -244,7 +244,27 @@ fn all_ways(
     let new: Vec<Letters> = others.into_iter().filter(|way| !all.contains(way)).collect();
     all.extend(new);
     all.truncate(WAYS);
+    // p_1 is no momentum where p is a frequency.
+    let is_new = |name: &&Name| known.symbols.find(name).is_none();
+    let own: Vec<&Name> = used.iter().map(|usage| &usage.name).filter(is_new).collect();
+    let is_open = |name: &Name| is_free(name) && known.names.iter().any(|(known, ..)| known == name);
+    by_form.iter_mut().chain(&mut all).for_each(|table| add_subscripts(table, &own, is_open));
     (by_form, all)
+}
+
+/// Adds the letters with subscripts of a letter that stands for another one: p_1 for ω_1, where p stands for ω. `is_open` tells the
+/// names of the problem for which a letter may stand.
+fn add_subscripts(table: &mut Letters, own: &[&Name], is_open: impl Fn(&Name) -> bool) {
+    for name in own.iter().copied().filter(|name| !name.subscript.is_empty()) {
+        let plain = Name { subscript: Vec::new(), ..name.clone() };
+        let Some(other) = table.get(&plain).filter(|other| other.dots == 0 && other.name.subscript.is_empty()) else {
+            continue;
+        };
+        let other = Name { subscript: name.subscript.clone(), ..other.name.clone() };
+        if is_open(&other) && !table.contains_key(name) {
+            table.insert(name.clone(), StandsFor { name: other, dots: 0 });
+        }
+    }
 }
 
 /// Whether each letter stands for the same letter in another form, as M for m.

@@ -1,156 +1,27 @@
-//! The wanted results in a hand-in: recognised by what a line says, not by its number or its form.
-//!
-//! A true line reaches a result if the result follows from the line alone, without the motion and the laws, and not
-//! without the line. So any form of an equation of motion is the equation of motion. A line that names further quantities
-//! of the problem, as L = T − U, is a step on the way.
+//! A wanted result as something that a line may say: in another form, as a root, with numbers put in, or with a slip.
 
-use crate::Result;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
 use crate::latex::Reading;
-use crate::notes::claims::{Claim, Lost};
+use crate::notes::claims::{Claim, Lost, Range};
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::judge::difference;
+use crate::check::mark::carried::numbers::{self, FEWEST, STATES};
+use crate::check::mark::marked::{Line, Mark};
+use crate::check::mark::problem::Wanted;
+use crate::check::mark::world::World;
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::meaning::{Meaning, Variable};
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::vacuity::restatement;
-use crate::notes::claims::Range;
-
-use super::carried::numbers::{self, FEWEST, STATES};
-use super::judged::Found;
-use super::marked::{Because, Line, Mark, Slipped};
-use super::problem::{Problem, Wanted};
-use super::status::composed;
-use super::world::World;
-
-/// The names that the wanted results give a formula for.
-pub(super) fn names(checker: &Checker<'_>, problem: &Problem) -> Vec<SymbolId> {
-    let statements =
-        problem.wanted.iter().flat_map(|wanted| checker.readings[wanted.display].statements.iter().flatten());
-    statements.filter_map(|statement| statement.members.first()?.as_plain_symbol()).collect()
-}
-
-/// For each wanted result, the line that reaches it: the first right one, or else the last one with a slip.
-///
-/// # Errors
-/// As for states of the problem.
-pub(super) fn found(
-    checker: &Checker<'_>,
-    world: &World<'_>,
-    lines: &mut [Line],
-    (premises, corrected): (&[Reading], Option<&[Option<String>]>),
-) -> Result<Vec<Option<Found>>> {
-    let mut all = Vec::new();
-    let is_at_speed: Vec<bool> = lines.iter().map(|line| matches!(line.because, Because::AtSpeed(_))).collect();
-    for wanted in &world.problem.wanted {
-        let Some(goal) = Goal::of(checker, world, wanted) else {
-            all.push(None);
-            continue;
-        };
-        let readings = |at: usize| {
-            let display = world.first + at;
-            let own = &checker.readings[display];
-            let mut both = vec![own.clone()];
-            let is_at_speed = is_at_speed[at];
-            if world.written[at].continues.is_some() || is_at_speed {
-                both.push(premises[display].clone());
-            }
-            both.extend(with_named_rates(checker, own));
-            both
-        };
-        let is_true = |line: &Line| matches!(line.mark, Mark::Right | Mark::Given);
-        let computed = |at: usize| {
-            let own = links(checker, &checker.readings[world.first + at]);
-            lines[at].mark == Mark::Right && own.iter().any(|link| goal.is_computed(checker, link))
-        };
-        let reached = |at: usize| {
-            let more = readings(at).into_iter().filter_map(|reading| goal.reached(checker, world, &reading));
-            Some((more.min().filter(|_| is_true(&lines[at]))?, at))
-        };
-        // A line without names of the student's own says it best.
-        let right = (0..lines.len()).filter_map(reached).min().map(|(_, line)| line);
-        // The statements of a result may stand on lines of their own; the last of them reaches it.
-        let right = right.or_else(|| {
-            let says = |part: usize, at: &usize| {
-                let mut own = readings(*at).into_iter();
-                is_true(&lines[*at]) && own.any(|reading| goal.part(checker, world, &reading, part).is_some())
-            };
-            let parts = (0..goal.links.len()).map(|part| (0..lines.len()).find(|at| says(part, at)));
-            parts.collect::<Option<Vec<usize>>>()?.into_iter().max().filter(|_| goal.links.len() > 1)
-        });
-        // A right number for what is wanted, where no line has the formula.
-        if let Some(line) = right.or_else(|| (0..lines.len()).find(|at| computed(*at))) {
-            all.push(Some(Found { line, is_right: true, lost: None }));
-            continue;
-        }
-        let Some(corrected) = corrected else {
-            all.push(None);
-            continue;
-        };
-        let mut with_slip = None;
-        for at in (0..lines.len()).rev().filter(|at| matches!(lines[*at].mark, Mark::Wrong | Mark::Carried)) {
-            let is_corrected = corrected[at].as_ref().is_some_and(|text| {
-                let reading = checker.as_printed(text, &Claim::default(), &checker.model.macros);
-                let whole = world.written[at]
-                    .continues
-                    .and_then(|start| composed(&checker.readings[world.first + start], &reading));
-                let whole = whole.as_ref().and_then(|whole| goal.reached(checker, world, whole));
-                whole.or_else(|| goal.reached(checker, world, &reading)).is_some()
-            });
-            let attempt = readings(at).iter().rev().find_map(|reading| goal.attempt(checker, world, reading));
-            if is_corrected || attempt.is_some() {
-                with_slip = Some((at, attempt.flatten()));
-                break;
-            }
-        }
-        let found = with_slip.map(|(at, off)| {
-            let mut root = at;
-            while let Some(before) = lines[root].follows_from {
-                root = before;
-            }
-            if let (None, Some(lost), Mark::Wrong) = (&lines[root].slip, off, lines[root].mark) {
-                let span = lines[root].span;
-                lines[root].slip = Some(Slipped { lost, span, replacement: None });
-            }
-            Found { line: at, is_right: false, lost: lines[root].slip.as_ref().map(|slip| slip.lost).or(off) }
-        });
-        all.push(found);
-    }
-    Ok(all)
-}
-
-/// A reading with the name that a law gives to a rate in the place of the rate: `a` for `\ddot x`.
-fn with_named_rates(checker: &Checker<'_>, reading: &Reading) -> Option<Reading> {
-    let laws = checker.model.laws.iter().flat_map(|law| &law.hypotheses);
-    let named = laws.filter_map(|law| match (&law.lhs.node, law.rhs.as_plain_symbol()) {
-        (Node::Symbol { id, dots, .. }, Some(name)) if *dots > 0 && law.relation == Relation::Equal => {
-            Some(((*id, *dots), name))
-        }
-        _ => None,
-    });
-    let named: Vec<((SymbolId, u8), SymbolId)> = named.collect();
-    let mut new = reading.clone();
-    for member in new.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
-        let span = member.span;
-        member.substitute(&|node| match node {
-            Node::Symbol { id, dots, .. } => {
-                let (_, name) = named.iter().find(|(rate, _)| rate == &(*id, *dots))?;
-                Some(Expr::new(Node::Symbol { id: *name, indices: Vec::new(), dots: 0 }, span))
-            }
-            _ => None,
-        });
-    }
-    (!named.is_empty()).then_some(new)
-}
 
 /// A wanted result, and the model in which lines are compared with it.
-struct Goal {
+pub(super) struct Goal {
     model: Model,
-    links: Vec<Link>,
+    pub links: Vec<Link>,
     hypotheses: Vec<Hypothesis>,
     symbols: Vec<(SymbolId, u8)>,
     /// Whether the problem gives it as a law.
@@ -158,7 +29,7 @@ struct Goal {
 }
 
 impl Goal {
-    fn of(checker: &Checker<'_>, world: &World<'_>, wanted: &Wanted) -> Option<Goal> {
+    pub fn of(checker: &Checker<'_>, world: &World<'_>, wanted: &Wanted) -> Option<Goal> {
         let is_law = world.problem.laws.contains(&wanted.display);
         let reading = &checker.readings[wanted.display];
         let statements: Vec<&Statement> = reading.statements.iter().flatten().collect();
@@ -188,7 +59,7 @@ impl Goal {
 
     /// Whether a link gives a number, or a formula of fewer names, for a wanted quantity that does not vary: the student has put
     /// in numbers.
-    fn is_computed(&self, checker: &Checker<'_>, link: &Link) -> bool {
+    pub fn is_computed(&self, checker: &Checker<'_>, link: &Link) -> bool {
         let is_fixed = self.symbols.iter().all(|(id, dots)| {
             let varies = matches!(
                 checker.model.meaning(*id),
@@ -206,13 +77,13 @@ impl Goal {
     }
 
     /// The number of names of the student's own in a reading that says what is wanted; `None`, if it does not say it.
-    fn reached(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> Option<usize> {
+    pub fn reached(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> Option<usize> {
         let parts = (0..self.links.len()).map(|part| self.part(checker, world, reading, part));
         parts.collect::<Option<Vec<usize>>>()?.into_iter().max()
     }
 
     /// The same for one of the statements of the result.
-    fn part(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading, part: usize) -> Option<usize> {
+    pub fn part(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading, part: usize) -> Option<usize> {
         let all = links(checker, reading);
         let all: Vec<(usize, &Link)> =
             all.iter().filter_map(|link| Some((self.own_names(checker, world, link)?, link))).collect();
@@ -270,7 +141,44 @@ impl Goal {
             let names = side.symbols();
             !names.is_empty() && names.iter().all(|(name, _)| *name == id)
         };
-        is_alone(&link.lhs) || is_alone(&link.rhs)
+        // So does the rate in its formula: `\dot\varphi = \ell/(m r^2)` says what ℓ is.
+        let is_its_rate = |side: &Expr| match &side.node {
+            Node::Symbol { id, dots, .. } if *dots > 0 => wanted.rhs.symbols().contains(&(*id, *dots)),
+            _ => false,
+        };
+        [&link.lhs, &link.rhs].into_iter().any(|side| is_alone(side) || is_its_rate(side))
+    }
+
+    /// Whether a reading says what is wanted with other quantities of the problem, each of which is conserved or is given by a right
+    /// line: `\omega = \sqrt{2 \Omega^2/(1 + b^2 x_0^6)}` after `x_0 = \Omega/\sqrt{g b}`.
+    pub fn is_with_known_quantities(
+        &self,
+        checker: &Checker<'_>,
+        world: &World<'_>,
+        reading: &Reading,
+        lines: &[Line],
+    ) -> bool {
+        let gives = |id: SymbolId, at: usize| {
+            let own = links(checker, &checker.readings[world.first + at]);
+            lines[at].mark == Mark::Right
+                && own.iter().any(|link| [&link.lhs, &link.rhs].into_iter().any(|side| is_power_of(side, id)))
+        };
+        let is_place = |id: SymbolId| {
+            let name = &checker.model.symbols.entry(id).name;
+            world.problem.special.kept().any(|(_, place)| place == name)
+        };
+        let is_known = |id: SymbolId| match checker.model.meaning(id) {
+            Some(Meaning::Defined(_)) => (0..lines.len()).any(|at| gives(id, at)),
+            _ if is_place(id) => (0..lines.len()).any(|at| gives(id, at)),
+            _ => true,
+        };
+        let says = |link: &Link, wanted: &Link| {
+            let symbols = link.lhs.symbols().into_iter().chain(link.rhs.symbols());
+            let mut others = symbols.filter(|symbol| !self.symbols.contains(symbol));
+            others.all(|(id, _)| is_known(id)) && self.says(checker, world, link, wanted)
+        };
+        let own = links(checker, reading);
+        self.links.iter().all(|wanted| own.iter().any(|link| says(link, wanted)))
     }
 
     /// Whether a link holds at states that obey a hypothesis; `None`, if there are too few.
@@ -306,8 +214,18 @@ impl Goal {
 
     /// Whether a false reading was meant as the result: it has the same left side, or the same rates in it; and what it is
     /// off by, if that is a number.
-    fn attempt(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> Option<Option<Lost>> {
-        let [wanted] = self.links.as_slice() else { return None };
+    pub fn attempt(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> Option<Option<Lost>> {
+        self.links.iter().find_map(|wanted| self.attempt_at(checker, world, reading, wanted))
+    }
+
+    /// The same for one of the statements of the result.
+    fn attempt_at(
+        &self,
+        checker: &Checker<'_>,
+        world: &World<'_>,
+        reading: &Reading,
+        wanted: &Link,
+    ) -> Option<Option<Lost>> {
         let varies = |symbols: &[(SymbolId, u8)]| {
             let is_moving = |(id, dots): &&(SymbolId, u8)| {
                 *dots > 0 || !matches!(checker.model.meaning(*id), Some(Meaning::Constant(_)))
@@ -380,17 +298,6 @@ fn says_a_law(checker: &Checker<'_>, world: &World<'_>, own: &Link) -> bool {
     })
 }
 
-/// Whether a line prints a law of the problem as the problem does, in either order of its sides.
-pub(super) fn prints_a_law(checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> bool {
-    let own = links(checker, reading);
-    let laws: Vec<Link> = world.problem.laws.iter().flat_map(|law| links(checker, &checker.readings[*law])).collect();
-    let is_it = |own: &Link, law: &Link| {
-        own.relation == law.relation
-            && (own.lhs == law.lhs && own.rhs == law.rhs || own.lhs == law.rhs && own.rhs == law.lhs)
-    };
-    !own.is_empty() && own.iter().all(|own| laws.iter().any(|law| is_it(own, law)))
-}
-
 /// Whether a link speaks of the rate of a quantity that the problem defines, or of the rate of a formula, where a result
 /// does. The equation of motion is no statement on the rate of the energy, though that follows from it.
 fn is_about_its_rates(checker: &Checker<'_>, link: &Link, wanted: &Link) -> bool {
@@ -411,6 +318,14 @@ fn is_about_its_rates(checker: &Checker<'_>, link: &Link, wanted: &Link) -> bool
     !rate_of_formula(wanted) || rate_of_formula(link)
 }
 
+/// Whether a formula is a symbol or a power of it.
+fn is_power_of(formula: &Expr, id: SymbolId) -> bool {
+    match &formula.node {
+        Node::Power(base, _) => base.as_plain_symbol() == Some(id),
+        _ => formula.as_plain_symbol() == Some(id),
+    }
+}
+
 fn free(model: &mut Model, id: SymbolId, range: Range) {
     model.mean(id, Meaning::Varying(model.varying.len()));
     model.varying.push(Variable::number(id, range));
@@ -423,7 +338,7 @@ fn is_positive(checker: &Checker<'_>, formula: &Expr) -> bool {
 }
 
 /// The equalities that a reading states: each link, and the first member with the last.
-fn links(checker: &Checker<'_>, reading: &Reading) -> Vec<Link> {
+pub(super) fn links(checker: &Checker<'_>, reading: &Reading) -> Vec<Link> {
     let mut found = Vec::new();
     for statement in reading.statements.iter().flatten() {
         let equal = |relation: Relation| is_equality(relation) || relation == Relation::Approximately;
