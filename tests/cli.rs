@@ -103,3 +103,144 @@ mod widths;
 mod wording;
 #[path = "cli/writing.rs"]
 mod writing;
+
+use support::{Desk, SIGN};
+
+#[test]
+fn the_derivations_as_they_stand_are_all_as_expected() {
+    let desk = Desk::with_the_derivations("as-they-stand");
+    let run = desk.onshell(&["check", "derivations"]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    assert!(run.out.contains("all as expected"), "{}", run.out);
+    assert_eq!(run.err, "");
+}
+
+#[test]
+fn one_sign_flipped_is_named_with_a_state_and_both_sides() {
+    let desk = Desk::with_the_derivations("one-sign");
+    desk.change("derivations/06-spinning-top.md", SIGN);
+    let run = desk.onshell(&["check", "derivations"]);
+    assert_eq!(run.code, 1, "{}{}", run.out, run.err);
+    for wanted in ["(6.73) is refuted", "06-spinning-top.md:", "at λ_1 = ", "θ = ", "left side", "right side"] {
+        assert!(run.out.contains(wanted), "no “{wanted}” in:\n{}", run.out);
+    }
+    assert!(run.out.contains("left side − right side = 2·M·g·R·sin(θ)"), "{}", run.out);
+    // The twin: what is sound is not named.
+    assert!(!run.out.contains("(6.74) is refuted") && !run.out.contains("(5.68) is refuted"), "{}", run.out);
+}
+
+#[test]
+fn only_checks_the_one_equation() {
+    let desk = Desk::with_the_derivations("only");
+    desk.change("derivations/06-spinning-top.md", SIGN);
+    let ids = |run: &support::Run| -> Vec<String> {
+        let report = run.json();
+        let documents = report["documents"].as_array().unwrap().iter();
+        let equations = documents.flat_map(|d| d["equations"].as_array().unwrap().clone());
+        equations.map(|equation| equation["id"].as_str().unwrap().to_owned()).collect()
+    };
+    let sound = desk.onshell(&["check", "derivations", "--only", "6.74", "--format", "json"]);
+    assert_eq!((sound.code, ids(&sound)), (0, vec!["6.74".to_owned()]));
+    let wrong = desk.onshell(&["check", "derivations", "--only", "6.73", "--format", "json"]);
+    assert_eq!((wrong.code, ids(&wrong)), (1, vec!["6.73".to_owned()]));
+    let absent = desk.onshell(&["check", "derivations", "--only", "6.79"]);
+    assert_eq!(absent.code, 2, "{}", absent.out);
+    assert!(absent.err.contains("6.79"), "{}", absent.err);
+}
+
+#[test]
+fn another_seed_is_another_sample_of_the_same_truth() {
+    let desk = Desk::with_the_derivations("seed");
+    let with_seed = |seed: &str| {
+        let run = desk.onshell(&["check", "derivations", "--only", "6.73", "--seed", seed, "--format", "json"]);
+        assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+        run.out
+    };
+    assert_eq!(with_seed("1"), with_seed("1"));
+    assert_ne!(with_seed("1"), with_seed("2"));
+}
+
+#[test]
+fn a_flipped_sign_is_refuted_whatever_the_seed() {
+    let desk = Desk::with_the_derivations("seeds");
+    desk.change("derivations/06-spinning-top.md", SIGN);
+    for seed in ["0", "2", "17", "18446744073709551615"] {
+        let run = desk.onshell(&["check", "derivations", "--only", "6.73", "--seed", seed]);
+        assert_eq!(run.code, 1, "{}{}", run.out, run.err);
+    }
+}
+
+#[test]
+fn points_are_as_many_as_asked_for() {
+    let desk = Desk::with_the_derivations("points");
+    let points = |asked: &str| {
+        let run = desk.onshell(&["check", "derivations", "--only", "6.73", "--points", asked, "--format", "json"]);
+        run.json()["documents"][0]["equations"][0]["points"].as_u64().unwrap()
+    };
+    assert_eq!((points("10"), points("40")), (10, 40));
+    for no_number in ["0", "-1", "many"] {
+        assert_eq!(desk.onshell(&["check", "derivations", "--points", no_number]).code, 2);
+    }
+}
+
+#[test]
+fn the_report_is_the_same_on_one_thread_and_on_two_and_when_run_again() {
+    let desk = Desk::with_the_derivations("threads");
+    desk.change("derivations/06-spinning-top.md", SIGN);
+    for format in ["json", "text"] {
+        let run = |threads| desk.onshell_on(threads, &["check", "derivations", "--format", format]);
+        let (one, two, again) = (run(Some(1)), run(Some(2)), run(Some(2)));
+        assert_eq!(one.code, 1);
+        assert_eq!(one.out, two.out);
+        assert_eq!(two.out, again.out);
+        assert_eq!(one.err, two.err);
+    }
+}
+
+#[test]
+fn a_document_is_named_by_its_claims_its_notes_or_its_folder() {
+    let desk = Desk::with_the_derivations("names");
+    let report = |path: &str| {
+        let run = desk.onshell(&["check", path, "--only", "5.70", "--format", "json"]);
+        assert_eq!(run.code, 0, "{path}: {}{}", run.out, run.err);
+        run.json()["documents"][0]["equations"].clone()
+    };
+    let by_claims = report("derivations/05-euler-angles.json");
+    assert_eq!(by_claims, report("derivations/05-euler-angles.md"));
+    assert_eq!(by_claims, report("derivations"));
+    assert_ne!(by_claims, serde_json::json!([]));
+}
+
+#[test]
+fn notes_without_claims_are_checked_and_no_pass_with_strict() {
+    let desk = Desk::new("no-claims");
+    desk.write("alone.md", "$$ a = b \\tag{1} $$\n");
+    for path in ["alone.md", "."] {
+        assert_eq!(desk.onshell(&["check", path]).code, 0, "{path}");
+        assert_eq!(desk.onshell(&["check", path, "--strict"]).code, 2, "{path}");
+    }
+    let run = desk.onshell(&["check", ".", "--format", "json"]);
+    assert_eq!(run.json()["documents"][0]["equations"][0]["verdict"], "definition");
+}
+
+#[test]
+fn nothing_to_check_is_no_pass() {
+    let desk = Desk::new("nothing");
+    assert_eq!(desk.onshell(&["check", "."]).code, 2);
+    desk.write("prose.md", "# Only words\n");
+    desk.write("prose.json", r#"{ "notes": "prose.md" }"#);
+    let run = desk.onshell(&["check", "prose.json"]);
+    assert_eq!(run.code, 2, "{}", run.out);
+}
+
+#[test]
+fn help_is_no_failure_and_a_wrong_flag_is() {
+    let desk = Desk::new("flags");
+    let help = desk.onshell(&["--help"]);
+    assert_eq!(help.code, 0);
+    for command in ["check", "derive", "equal", "eval", "explain", "mutate", "read", "report"] {
+        assert!(help.out.contains(command), "{}", help.out);
+        assert_eq!(desk.onshell(&[command, "--frobnicate"]).code, 2);
+    }
+    assert_eq!(desk.onshell(&[]).code, 2);
+}

@@ -452,14 +452,11 @@ fn a_declared_name_that_nothing_determines_is_named() {
     let force = json!({ "notes": "notes.md", "constants": { "m": "> 0" }, "varies with time": { "F, x": "any" } });
     let notes = "$$ F = m \\ddot x \\tag{1} $$\n";
     let run = check("undetermined", notes, &force);
-    says(&run, &["F is declared in the claims file, and nothing determines it", "under \"laws\""]);
+    says(&run, &["F is declared, so this equation does not define it", "under \"laws\""]);
     // Where a law or the other side has the name, the two sides differ and no more.
     let law = "$$ F = m \\ddot x \\tag{1} $$\n\n$$ F = 2 m \\ddot x \\tag{2} $$\n";
-    is_silent(
-        &check("determined", law, &merged(force, json!({ "laws": { "Newton": "1" } }))),
-        &["nothing determines it"],
-    );
-    is_silent(&check("determined-2", "$$ a = a + b \\tag{1} $$\n", &numbers(json!({}))), &["nothing determines it"]);
+    is_silent(&check("determined", law, &merged(force, json!({ "laws": { "Newton": "1" } }))), &["does not define it"]);
+    is_silent(&check("determined-2", "$$ a = a + b \\tag{1} $$\n", &numbers(json!({}))), &["does not define it"]);
 }
 
 #[test]

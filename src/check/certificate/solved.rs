@@ -40,9 +40,9 @@ pub(crate) const NOT_SOLVED: &str =
 /// The reason for which a claim stays open if only one solution of its hypotheses was tested.
 pub(crate) const OTHER_WAYS: &str = "hypotheses that may have more than one solution";
 
-/// Whether only one of several solutions of the hypotheses was tested, perhaps.
+/// Whether a finding rests on hypotheses that are linear in no symbol: of their solutions one was tested, perhaps.
 pub(crate) fn is_of_one_solution(finding: &Finding) -> bool {
-    finding.not_certified_because.as_deref().is_some_and(|reason| [OTHER_WAYS, NOT_SOLVED].contains(&reason))
+    finding.not_certified_because.as_deref() == Some(NOT_SOLVED)
 }
 
 /// The determinant of a 1 × 1 or 3 × 3 matrix, given by columns.

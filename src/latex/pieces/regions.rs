@@ -4,7 +4,7 @@
 
 use crate::formula::tree::Relation;
 
-use super::super::layout::{Delimiter, Item, Layout};
+use super::super::layout::{Delimiter, Item, Layout, latex};
 use super::super::names;
 use super::super::rows::is_significant;
 use super::piece::Piece;
@@ -32,18 +32,30 @@ fn is_region(formula: &Piece<'_>, region: &Piece<'_>) -> bool {
         && region.links[1..].iter().all(|link| link.relation.is_some_and(|(relation, _)| is_order(relation)));
     let is_plain = [formula, region].iter().all(|piece| piece.conditions.is_empty() && piece.fault.is_none());
     let Some(argument) = formula.links.first().and_then(|link| argument(&link.items)) else { return false };
-    let is_it = |items: &Vec<&Item>| {
-        let solid: Vec<&Item> = items.iter().copied().filter(|item| is_significant(&item)).collect();
-        matches!(solid.as_slice(), [only] if **only == Item { span: only.span, ..argument.clone() })
-    };
+    let is_it = |items: &Vec<&Item>| matches!(solid(items).as_slice(), [only] if printed(only) == argument);
     equates && compares && is_plain && region.links.iter().any(|link| is_it(&link.items))
 }
 
-/// The letter of which a side is a function: x of `f(x)`.
-fn argument<'a>(side: &[&'a Item]) -> Option<&'a Item> {
-    let solid: Vec<&Item> = side.iter().copied().filter(|item| is_significant(&item)).collect();
-    let [name, Item { layout: Layout::Fence(Delimiter::Round, inside), .. }] = solid.as_slice() else { return None };
-    let [only] = inside.as_slice() else { return None };
-    let is_name = |item: &Item| names::printed(item, None).is_some();
-    (is_name(name) && is_name(only)).then_some(only)
+/// The letter of which a side is a function: x of `f(x)`, also where nothing but its name is known.
+fn argument(side: &[&Item]) -> Option<String> {
+    match solid(side).as_slice() {
+        [name, Item { layout: Layout::Fence(Delimiter::Round, inside), .. }] => {
+            let [only] = inside.as_slice() else { return None };
+            let is_name = |item: &Item| names::printed(item, None).is_some();
+            (is_name(name) && is_name(only)).then(|| printed(only))
+        }
+        [Item { layout: Layout::Value(name), .. }] => {
+            let (_, argument) = name.strip_suffix(')')?.rsplit_once('(')?;
+            Some(argument.trim().to_owned())
+        }
+        _ => None,
+    }
+}
+
+fn printed(item: &Item) -> String {
+    latex(std::slice::from_ref(item)).trim().to_owned()
+}
+
+fn solid<'a>(side: &[&'a Item]) -> Vec<&'a Item> {
+    side.iter().copied().filter(|item| is_significant(&item)).collect()
 }

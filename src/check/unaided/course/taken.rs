@@ -7,7 +7,7 @@ use crate::check::unaided::gate;
 use crate::check::unaided::inline;
 use crate::check::unaided::premises::{self, Premise, Said};
 use crate::formula::units::in_si::has_units;
-use crate::formula::{Node, Statement};
+use crate::formula::{Kind, Node, Statement, SymbolId};
 
 impl Course<'_, '_> {
     /// Makes a display that is taken for granted a premise of what comes later.
@@ -27,8 +27,8 @@ impl Course<'_, '_> {
         if members.any(has_units) {
             return;
         }
-        // Of the modulus of a rate, as in dσ = 2πρ |dρ/dχ| dχ, authors leave the sign open.
-        if has_modulus_of_a_rate(self.checker, at) {
+        // Of the modulus of a rate, as in dσ = 2πρ |dρ/dχ| dχ, authors leave the sign open; |W| = Q has two solutions for W.
+        if has_open_modulus(self.checker, at) {
             return;
         }
         // Beside a motion, what is taken for granted is a special case of it or contradicts it, unless it is about constants alone.
@@ -100,13 +100,15 @@ pub(in crate::check::unaided) fn is_static(checker: &Checker<'_>, at: usize) -> 
     leaves.all(|id| matches!(checker.model.meaning(id), Some(Meaning::Constant(_))))
 }
 
-/// Whether the modulus of something with a rate stands in a display.
-fn has_modulus_of_a_rate(checker: &Checker<'_>, at: usize) -> bool {
+/// Whether the modulus of a number stands in a display whose sign it leaves open: of one with a rate, or of a single name.
+fn has_open_modulus(checker: &Checker<'_>, at: usize) -> bool {
+    let is_number = |id: SymbolId| checker.model.symbols.entry(id).kind == Kind::Scalar;
     let mut found = false;
     for member in checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members) {
         member.walk(&mut |part| {
             let Node::Norm(inner) = &part.node else { return };
-            found |= inner.symbols().iter().any(|(_, dots)| *dots > 0);
+            found |=
+                inner.symbols().iter().any(|(_, dots)| *dots > 0) || inner.as_plain_symbol().is_some_and(is_number);
         });
     }
     found
