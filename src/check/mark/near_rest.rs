@@ -12,7 +12,6 @@ use crate::check::model::meaning::Meaning;
 
 use super::carried::numbers;
 use super::given;
-use super::names::moving;
 use super::special::Special;
 use super::status::{Status, approximate, status};
 use super::world::World;
@@ -174,12 +173,14 @@ fn with_rates(checker: &Checker<'_>, formula: &mut Expr) {
 /// The rate of a sum of symbols, as x − x_0 is: those that move have dots, and the others fall away.
 fn rates_of_terms(checker: &Checker<'_>, formula: &Expr, order: u8) -> Option<Expr> {
     let Node::Sum(terms) = &formula.node else { return None };
-    let moving = moving(checker.model);
+    let model = checker.model;
+    let moves = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
+    let moving: Vec<SymbolId> = model.symbols.iter().map(|(id, _)| id).filter(|id| moves(*id)).collect();
     let mut rates = Vec::new();
     for term in terms {
         let Node::Symbol { id, indices, dots } = &term.expr.node else { return None };
-        if checker.model.depends_on(&term.expr, &moving) {
-            matches!(checker.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_))).then_some(())?;
+        if moves(*id) || model.depends_on(&term.expr, &moving) {
+            moves(*id).then_some(())?;
             let node = Node::Symbol { id: *id, indices: indices.clone(), dots: dots.saturating_add(order) };
             rates.push(Term { expr: Expr::new(node, term.expr.span), ..term.clone() });
         }

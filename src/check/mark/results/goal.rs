@@ -178,7 +178,25 @@ impl Goal {
             others.all(|(id, _)| is_known(id)) && self.says(checker, world, link, wanted)
         };
         let own = links(checker, reading);
-        self.links.iter().all(|wanted| own.iter().any(|link| says(link, wanted)))
+        // What lines say of a place of rest makes two forms the same.
+        let given = (0..lines.len()).filter(|at| lines[*at].mark == Mark::Right).flat_map(|at| {
+            let all = links(checker, &checker.readings[world.first + at]).into_iter();
+            all.filter(|link| link.lhs.symbols().iter().any(|(id, _)| is_place(*id) && is_power_of(&link.lhs, *id)))
+        });
+        let premises: Vec<Hypothesis> = given.take(1).map(|link| Hypothesis::of(link, false)).collect();
+        let is_same_there = |link: &Link, wanted: &Link| {
+            let value = match &wanted.lhs.node {
+                _ if link.lhs == wanted.lhs => link.rhs.clone(),
+                Node::Power(base, power) if link.lhs == **base => {
+                    Expr::new(Node::Power(Box::new(link.rhs.clone()), power.clone()), link.rhs.span)
+                }
+                _ => return false,
+            };
+            let same = checker.link(&value, Relation::Equal, &wanted.rhs);
+            !premises.is_empty()
+                && same.is_ok_and(|same| numbers::holds(checker, &self.model, &same, &premises) == Some(true))
+        };
+        self.links.iter().all(|wanted| own.iter().any(|link| says(link, wanted) || is_same_there(link, wanted)))
     }
 
     /// Whether a link holds at states that obey a hypothesis; `None`, if there are too few.
