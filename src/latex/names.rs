@@ -219,6 +219,11 @@ const ARROWS: [&str; 12] = [
     "\\flat",
 ];
 
+/// Whether a command may be an index: one that prints a letter or a sign.
+pub(super) fn is_index_sign(name: &str) -> bool {
+    !plain_text(name).starts_with('\\') || ARROWS.contains(&name)
+}
+
 /// Appends the tokens of a subscript; `None` if it is not the subscript of a name.
 fn subscript(item: &Item, branch: Option<Sign>, tokens: &mut Vec<String>) -> Option<()> {
     match &item.layout {
@@ -230,7 +235,7 @@ fn subscript(item: &Item, branch: Option<Sign>, tokens: &mut Vec<String>) -> Opt
             ("\\pm" | "\\mp", None) => return None,
             ("\\prime", _) => tokens.push("'".to_owned()),
             // An unknown command is no index: `E_\boldit{p}`.
-            _ if plain_text(name).starts_with('\\') && !ARROWS.contains(&name.as_str()) => return None,
+            _ if !is_index_sign(name) => return None,
             _ => tokens.push(name.clone()),
         },
         Layout::Space(_) => {}

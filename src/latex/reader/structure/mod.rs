@@ -49,8 +49,9 @@ use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout, latex};
+use super::super::names;
 use super::items::contents;
-use super::state::{Read, Reader};
+use super::state::{Read, Reader, unknown_command};
 
 impl Reader<'_> {
     /// Whether this is the second attempt, for the structure only.
@@ -156,6 +157,11 @@ impl Reader<'_> {
                 };
                 if let Some(fault) = contents(sub).iter().find_map(fault_in) {
                     return Err(fault);
+                }
+                if let [Item { layout: Layout::Command(name), span }] = contents(sub)
+                    && !names::is_index_sign(name)
+                {
+                    return Err(unknown_command(name, *span, false));
                 }
                 let inner = self.item(&inner)?;
                 let below = printed(contents(sub));
