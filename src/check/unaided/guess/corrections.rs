@@ -24,7 +24,7 @@ const INFERRED: [&str; 7] =
     ["coordinates", "varies with time", "constants", "functions", "formulas as names", "means", "define"];
 
 /// The declarations that differ from the inferred ones.
-pub(in crate::check::unaided) struct Corrections {
+pub(crate) struct Corrections {
     /// Each with its key, its name and what is said of it.
     changed: Vec<(String, String, Value)>,
     /// Names that are declared no more.
