@@ -170,20 +170,18 @@ fn with_rates(checker: &Checker<'_>, formula: &mut Expr) {
     }
 }
 
-/// The rate of a sum of symbols, as x − x_0 is: those that move have dots, and the others fall away.
+/// The rate of a sum, as x − x_0 is, in which only symbols move: these have dots, and what stays falls away.
 fn rates_of_terms(checker: &Checker<'_>, formula: &Expr, order: u8) -> Option<Expr> {
     let Node::Sum(terms) = &formula.node else { return None };
     let model = checker.model;
     let moves = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
     let moving: Vec<SymbolId> = model.symbols.iter().map(|(id, _)| id).filter(|id| moves(*id)).collect();
     let mut rates = Vec::new();
-    for term in terms {
+    for term in terms.iter().filter(|term| model.depends_on(&term.expr, &moving)) {
         let Node::Symbol { id, indices, dots } = &term.expr.node else { return None };
-        if moves(*id) || model.depends_on(&term.expr, &moving) {
-            moves(*id).then_some(())?;
-            let node = Node::Symbol { id: *id, indices: indices.clone(), dots: dots.saturating_add(order) };
-            rates.push(Term { expr: Expr::new(node, term.expr.span), ..term.clone() });
-        }
+        moves(*id).then_some(())?;
+        let node = Node::Symbol { id: *id, indices: indices.clone(), dots: dots.saturating_add(order) };
+        rates.push(Term { expr: Expr::new(node, term.expr.span), ..term.clone() });
     }
     match rates.as_slice() {
         [] => None,

@@ -190,6 +190,9 @@ impl Goal {
                 Node::Power(base, power) if link.lhs == **base => {
                     Expr::new(Node::Power(Box::new(link.rhs.clone()), power.clone()), link.rhs.span)
                 }
+                _ if matches!(&link.lhs.node, Node::Root(2, base) if **base == wanted.lhs) => {
+                    Expr::new(Node::Product(vec![link.rhs.clone(), link.rhs.clone()]), link.rhs.span)
+                }
                 _ => return false,
             };
             let same = checker.link(&value, Relation::Equal, &wanted.rhs);
@@ -339,7 +342,8 @@ fn is_about_its_rates(checker: &Checker<'_>, link: &Link, wanted: &Link) -> bool
 /// Whether a formula is a symbol or a power of it.
 fn is_power_of(formula: &Expr, id: SymbolId) -> bool {
     match &formula.node {
-        Node::Power(base, _) => base.as_plain_symbol() == Some(id),
+        // A name that is defined by its square is a root.
+        Node::Power(base, _) | Node::Root(_, base) => base.as_plain_symbol() == Some(id),
         _ => formula.as_plain_symbol() == Some(id),
     }
 }
