@@ -100,7 +100,7 @@ impl Course<'_, '_> {
             repairs.retain(|repair| !only_negates(repair, checker));
         }
         // Relations that are taken for granted may have another solution, with which the display holds as it is printed.
-        if !set.is_empty() {
+        if self.leave_a_root_open(at, set) {
             repairs.retain(|repair| !self.holds_for_one_solution(at, repair, claim));
         }
         // No author means an equation whose terms have different dimensions.
@@ -129,6 +129,36 @@ impl Course<'_, '_> {
         let found = self.checker.with_edited_text(self.checker.options, at, &self.corrected(at, repair), judged);
         found.and_then(Result::ok).is_some_and(|found| {
             std::iter::once(&found.finding).chain(found.parts.iter().map(|part| &part.finding)).any(is_of_one_solution)
+        })
+    }
+
+    /// Whether one of some premises contains a name in two powers that a display does not contain: of its roots one was tested.
+    fn leave_a_root_open(&self, at: usize, set: &[&Premise]) -> bool {
+        let members = |at: usize| {
+            let statements = self.checker.readings[at].statements.iter().flatten();
+            statements.flat_map(|statement| &statement.members)
+        };
+        let own: Vec<SymbolId> = members(at).flat_map(Expr::symbols).map(|(id, _)| id).collect();
+        set.iter().any(|premise| {
+            let mut powers: Vec<(SymbolId, String)> = Vec::new();
+            let mut all: Vec<SymbolId> = Vec::new();
+            for member in members(premise.at) {
+                member.walk(&mut |part| match &part.node {
+                    Node::Power(base, exponent) => {
+                        powers.extend(base.as_plain_symbol().map(|id| (id, format!("{:?}", exponent.node))));
+                    }
+                    Node::Symbol { id, .. } => all.push(*id),
+                    _ => {}
+                });
+            }
+            all.iter().filter(|id| !own.contains(id)).any(|id| {
+                let mut found: Vec<&String> =
+                    powers.iter().filter(|(of, _)| of == id).map(|(_, power)| power).collect();
+                let is_plain = all.iter().filter(|other| *other == id).count() > found.len();
+                found.sort_unstable();
+                found.dedup();
+                found.len() + usize::from(is_plain) > 1
+            })
         })
     }
 
