@@ -50,7 +50,7 @@ pub fn motion(
     const POINTS: u32 = 600;
     let motion = Motion { system, parameters };
     let n = start.0.len();
-    let lost = |(time, last): (f64, Vec<f64>)| {
+    let lost = |(time, last): Timed| {
         let (q, v) = last.split_at(n);
         // At a place without accelerations the cause is known; otherwise the steps became too small or too many.
         let cause = match system.accelerations(time, q, v, parameters) {
@@ -64,9 +64,12 @@ pub fn motion(
             .help("choose another starting state with --set, or a shorter time with --until")
     };
     let states = integrated(&motion, [start.0, start.1].concat(), end, POINTS, tolerance).map_err(lost)?;
-    let moment = |(time, y): (f64, Vec<f64>)| Moment { time, q: y[..n].to_vec(), v: y[n..].to_vec() };
+    let moment = |(time, y): Timed| Moment { time, q: y[..n].to_vec(), v: y[n..].to_vec() };
     Ok(states.into_iter().map(moment).collect())
 }
+
+/// A time, and the coordinates and their rates at it.
+type Timed = (f64, Vec<f64>);
 
 /// The states at even times. Each stretch ends where a step ends, since what is interpolated between steps is less
 /// accurate than the steps.
@@ -79,7 +82,7 @@ fn integrated<E: ODE<f64, Vec<f64>>>(
     end: f64,
     points: u32,
     tolerance: f64,
-) -> Result<Vec<(f64, Vec<f64>)>, (f64, Vec<f64>)> {
+) -> Result<Vec<Timed>, Timed> {
     let time = |k: u32| end * f64::from(k) / f64::from(points);
     let mut states = vec![(0.0, start)];
     for k in 0..points {

@@ -171,7 +171,7 @@ fn what_the_author_changes_in_the_written_file_holds_in_every_part() {
     let file = desk.read("notes.json");
     assert!(file.contains("\"k\": \"any\""), "{file}");
     // with k a function of x the forces have another term
-    desk.write("notes.json", &file.replace("\"k\": \"any\"", "\"k\": \"0\""));
+    desk.write("notes.json", file.replace("\"k\": \"any\"", "\"k\": \"0\""));
     let run = desk.onshell(&["check", "notes.md", "--format", "json"]);
     assert_ne!(run.code, 0, "{}", run.out);
 }

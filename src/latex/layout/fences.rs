@@ -59,7 +59,7 @@ impl Parser<'_> {
             // A brace before equations, which stand in it without rows: `\left\{ \dot x = y, \quad \dot y = -x \right.`
             (Some(Delimiter::Curly), None)
                 if close.kind == TokenKind::Other('.')
-                    && items.iter().any(|item| *item == Item { layout: Layout::Other('='), span: item.span }) =>
+                    && items.iter().any(|item| item.layout == Layout::Other('=')) =>
             {
                 Item { layout: Layout::Group(items), span: whole }
             }

@@ -60,7 +60,7 @@ pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
             at += 1;
             continue;
         }
-        if bars % 2 == 0 && end_of_norm.is_none() {
+        if bars.is_multiple_of(2) && end_of_norm.is_none() {
             end_of_norm = norm_length(&tokens[at..]).map(|length| at + length);
         }
         if end_of_norm == Some(at) || end_of_norm.is_some() && is_double_bar(&tokens[at..]) {
