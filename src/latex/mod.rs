@@ -65,7 +65,7 @@ pub use macros::Macros;
 pub use pieces::says_constant;
 #[cfg(feature = "notes")]
 pub use reader::has_coefficient;
-#[cfg(feature = "cli")]
+#[cfg(feature = "notes")]
 pub use reader::has_imaginary_unit;
 #[cfg(feature = "notes")]
 pub use reader::{derivative_name, pairs_by_name, read_formula};

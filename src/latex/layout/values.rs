@@ -370,7 +370,7 @@ fn contents(item: &Item) -> &[Item] {
 }
 
 /// Whether a run is a vector by the markup of what is in it: a·b is none, a×b and A **b** are.
-#[cfg(feature = "cli")]
+#[cfg(feature = "notes")]
 pub(crate) fn is_vector(run: &[Item]) -> bool {
     let items: Vec<&Item> =
         without_spaces(run).take_while(|item| !matches!(item.layout, Layout::Other('+' | '-'))).collect();
@@ -388,12 +388,12 @@ pub(crate) fn is_vector(run: &[Item]) -> bool {
 }
 
 /// Whether an item is squared.
-#[cfg(feature = "cli")]
+#[cfg(feature = "notes")]
 fn is_squared(item: &Item) -> bool {
     matches!(&item.layout, Layout::Scripts { sup: Some(_), .. })
 }
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "notes")]
 fn is_vector_item(item: &Item) -> bool {
     match &item.layout {
         Layout::Accent(mark, _) => mark == "\\vec" || mark.ends_with("dot") && is_vector(parts(item)),
@@ -408,7 +408,7 @@ fn is_vector_item(item: &Item) -> bool {
     }
 }
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "notes")]
 fn parts(item: &Item) -> &[Item] {
     match &item.layout {
         Layout::Accent(_, inner) => contents(inner),

@@ -82,7 +82,7 @@ use crate::source::{Fault, Span};
 
 use super::layout::{Layout, typeset_items};
 use super::macros::Macros;
-#[cfg(feature = "cli")]
+#[cfg(feature = "notes")]
 pub use algebra::has_imaginary_unit;
 pub use algebra::pairs_by_name;
 pub use partial_derivatives::derivative_name;

@@ -20,7 +20,7 @@ pub mod evidence;
 mod matrices;
 mod poisson;
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "notes")]
 pub use evidence::has_imaginary_unit;
 pub use poisson::pairs_by_name;
 
