@@ -58,6 +58,7 @@ pub fn declaration(name: &str, dots: u8) -> String {
 }
 
 /// The advice where a name is that of no system: those there are, and how to add one.
+#[cfg(feature = "notes")]
 pub fn systems<'a>(names: impl Iterator<Item = &'a str>) -> String {
     format!(
         "the systems are {}; a system of your own needs a Rust program, see examples/own_system.rs",
@@ -66,6 +67,7 @@ pub fn systems<'a>(names: impl Iterator<Item = &'a str>) -> String {
 }
 
 /// The advice to declare a name before a parenthesis with names: as a function of them, or as a factor.
+#[cfg(feature = "notes")]
 pub fn function(name: &str, arguments: &[String]) -> String {
     let arguments = arguments.join(", ");
     format!(
