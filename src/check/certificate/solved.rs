@@ -25,7 +25,6 @@ use crate::check::state::generic_body::{Generality, GenericBody};
 use crate::check::state::numbers;
 use crate::check::state::numbers::Slot;
 use crate::check::state::sampled_state::SampledState;
-use crate::check::verdict::finding::Finding;
 
 /// Hypotheses that are sums over members, by their places, and the families for which they are solved.
 #[derive(Default)]
@@ -39,11 +38,6 @@ pub(crate) const NOT_SOLVED: &str =
 
 /// The reason for which a claim stays open if only one solution of its hypotheses was tested.
 pub(crate) const OTHER_WAYS: &str = "hypotheses that may have more than one solution";
-
-/// Whether a finding rests on hypotheses that are linear in no symbol: of their solutions one was tested, perhaps.
-pub(crate) fn is_of_one_solution(finding: &Finding) -> bool {
-    finding.not_certified_because.as_deref() == Some(NOT_SOLVED)
-}
 
 /// The determinant of a 1 × 1 or 3 × 3 matrix, given by columns.
 pub(crate) fn determinant<F: Modulus>(columns: &[Vec<Modular<F>>]) -> Modular<F> {

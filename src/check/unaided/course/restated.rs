@@ -6,10 +6,9 @@
 
 use crate::Result;
 use crate::check::unaided::course::Course;
-use crate::check::unaided::course::special_values::{FEWEST, ROUNDING, named, parts};
+use crate::check::unaided::course::special_values::{ROUNDING, Special, named};
 use crate::check::unaided::{gate, inline, prose};
 use crate::check::verdict::Verdict;
-use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
 use crate::formula::{Expr, SymbolId, text};
@@ -17,13 +16,6 @@ use crate::latex::read_display;
 
 /// Words for a sum.
 const SUM: [&str; 5] = ["sum is", "summe ist", "somme est", "somma è", "suma es"];
-
-/// What the words say of a name.
-struct Restated {
-    formula: Expr,
-    /// The formula in words.
-    says: String,
-}
 
 impl Course<'_, '_> {
     /// The finding on a display that gives a formula to a name, if the words before it say what the name is.
@@ -38,29 +30,18 @@ impl Course<'_, '_> {
         }
         let Some(said) = self.sum(at, name) else { return Ok(None) };
         let agrees = |formula: &Expr| -> Result<bool> {
-            Ok(self.constant_ratio(&said.formula, formula)?.is_some_and(|ratio| (ratio - 1.0).abs() < ROUNDING))
+            Ok(self.constant_ratio(&said.value, formula)?.is_some_and(|ratio| (ratio - 1.0).abs() < ROUNDING))
         };
-        let finding = |verdict: Verdict, code: Code, message: String| gate::settled(found, (verdict, code), message);
         if agrees(formula)? {
-            return Ok(Some(finding(Verdict::Verified, Code::Holds, format!("this is {}", said.says))));
+            let verdict = (Verdict::Verified, Code::Holds);
+            return Ok(Some(gate::settled(found, verdict, format!("this is {}", said.says))));
         }
         let words = prose::before(checker.notes, at);
         let is_general = !words.other_case && !words.announced.is_supposed();
-        if !is_general || parts(formula) < FEWEST {
+        if !is_general {
             return Ok(None);
         }
-        for edit in self.edits_with_factors(at, Some(formula.span)) {
-            let text = edit.applied(&display.text);
-            let reading = read_display(&text, &mut checker.model.symbols.clone(), &checker.model.macros);
-            let [Ok(edited)] = reading.statements.as_slice() else { continue };
-            let Some((_, edited)) = named(edited) else { continue };
-            if agrees(edited)? {
-                let repair = Repair::of(edit, display.body.start, Verdict::Verified);
-                let wrong = finding(Verdict::Refuted, Code::SidesDiffer, format!("this is not {}", said.says));
-                return Ok(Some(Equation { repairs: vec![repair], ..wrong }));
-            }
-        }
-        Ok(None)
+        self.one_edit_from(at, found, formula, (&said.says, &agrees))
     }
 
     /// The displays directly before a display, the last first: the rows of one block, with no words between them.
@@ -81,7 +62,7 @@ impl Course<'_, '_> {
     }
 
     /// The sum of the quantities directly before a display, if the sentence says that it is their sum: W of W_i and W_o.
-    fn sum(&self, at: usize, name: SymbolId) -> Option<Restated> {
+    fn sum(&self, at: usize, name: SymbolId) -> Option<Special> {
         let (checker, model) = (self.checker, self.checker.model);
         let sentence = prose::sentence(checker.notes, at).to_lowercase();
         let own = &model.symbols.entry(name).name;
@@ -101,7 +82,7 @@ impl Course<'_, '_> {
         }
         let sum = terms.join(" + ");
         let formula = self.read_formula(&sum).filter(|_| terms.len() > 1)?;
-        Some(Restated { formula, says: format!("{}, the sum of which the words speak", text::plain(&sum)) })
+        Some(Special { value: formula, says: format!("{}, the sum of which the words speak", text::plain(&sum)) })
     }
 
     /// A formula by its LaTeX, if it moves or has letters.

@@ -1,7 +1,6 @@
 //! The slip that separates a display from what follows.
 
 use crate::Result;
-use crate::check::certificate::solved::is_of_one_solution;
 use crate::check::document::checker::Checker;
 use crate::check::repair::suggest::Search;
 use crate::check::unaided::course::{Course, named};
@@ -101,7 +100,7 @@ impl Course<'_, '_> {
         }
         // Relations that are taken for granted may have another solution, with which the display holds as it is printed.
         if self.leave_a_root_open(at, set) {
-            repairs.retain(|repair| !self.holds_for_one_solution(at, repair, claim));
+            repairs.retain(|repair| repair.verdict == Verdict::Certified);
         }
         // No author means an equation whose terms have different dimensions.
         repairs.retain(|repair| !dimensions::are_spoilt(checker, at, repair));
@@ -120,19 +119,7 @@ impl Course<'_, '_> {
 }
 
 impl Course<'_, '_> {
-    /// Whether a display with a correction was tested for one of several solutions of its premises.
-    fn holds_for_one_solution(&self, at: usize, repair: &Repair, claim: &Claim) -> bool {
-        if repair.verdict == Verdict::Certified {
-            return false;
-        }
-        let judged = |checker: &Checker<'_>| self.equation(checker, at, claim);
-        let found = self.checker.with_edited_text(self.checker.options, at, &self.corrected(at, repair), judged);
-        found.and_then(Result::ok).is_some_and(|found| {
-            std::iter::once(&found.finding).chain(found.parts.iter().map(|part| &part.finding)).any(is_of_one_solution)
-        })
-    }
-
-    /// Whether one of some premises contains a name in two powers that a display does not contain: of its roots one was tested.
+    /// Whether a premise has two powers of a name that the display does not contain: of the roots for this name one was tested.
     fn leave_a_root_open(&self, at: usize, set: &[&Premise]) -> bool {
         let members = |at: usize| {
             let statements = self.checker.readings[at].statements.iter().flatten();

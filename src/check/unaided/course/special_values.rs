@@ -19,50 +19,61 @@ use crate::formula::{Expr, Node, Statement, SymbolId, text};
 use crate::latex::read_display;
 
 /// The fewest symbols, numbers and operations of a formula in which an edit is sought.
-pub(super) const FEWEST: usize = 6;
+const FEWEST: usize = 6;
 
 /// The relative difference of a ratio from 1 that is rounding.
 pub(super) const ROUNDING: f64 = 1e-9;
 
-/// A quantity at a place.
-struct Special {
-    /// The formula of the quantity with the value put in.
-    value: Expr,
-    /// The place in words.
-    says: String,
+/// What the words say that a name is: a quantity at a place, a sum.
+pub(super) struct Special {
+    /// Its formula; that of a quantity at a place has the value put in.
+    pub value: Expr,
+    /// The same in words.
+    pub says: String,
 }
 
 impl Course<'_, '_> {
     /// The finding on a display that gives the value of a quantity at a place, if the words state one.
     pub(super) fn special_value(&self, at: usize, found: &Equation) -> Result<Option<Equation>> {
-        let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
-        let [Ok(statement)] = checker.readings[at].statements.as_slice() else { return Ok(None) };
+        let [Ok(statement)] = self.checker.readings[at].statements.as_slice() else { return Ok(None) };
         let Some((name, formula)) = named(statement) else { return Ok(None) };
         if matches!(found.finding.verdict, Verdict::Certified | Verdict::Verified) {
             return Ok(None);
         }
-        let finding = |verdict: Verdict, code: Code, message: String| gate::settled(found, (verdict, code), message);
         let is_equal = |a: &Expr, b: &Expr| -> Result<bool> {
             Ok(self.constant_ratio(a, b)?.is_some_and(|ratio| (ratio - 1.0).abs() < ROUNDING))
         };
         let specials = self.specials(at, name, formula);
         for Special { value, says } in &specials {
             if is_equal(value, formula)? {
-                return Ok(Some(finding(Verdict::Verified, Code::Holds, format!("this is {says}"))));
+                return Ok(Some(gate::settled(found, (Verdict::Verified, Code::Holds), format!("this is {says}"))));
             }
         }
-        let Some(Special { value, says }) = specials.first().filter(|_| parts(formula) >= FEWEST) else {
+        let Some(Special { value, says }) = specials.first() else { return Ok(None) };
+        self.one_edit_from(at, found, formula, (says, &|edited| is_equal(value, edited)))
+    }
+
+    /// The finding that a display is wrong, if one likely edit of the formula that it gives a name makes this what the words say.
+    pub(super) fn one_edit_from(
+        &self,
+        at: usize,
+        found: &Equation,
+        formula: &Expr,
+        (says, agrees): (&str, &dyn Fn(&Expr) -> Result<bool>),
+    ) -> Result<Option<Equation>> {
+        let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
+        if parts(formula) < FEWEST {
             return Ok(None);
-        };
+        }
         for edit in self.edits_with_factors(at, Some(formula.span)) {
             let text = edit.applied(&display.text);
             let reading = read_display(&text, &mut checker.model.symbols.clone(), &checker.model.macros);
             let [Ok(edited)] = reading.statements.as_slice() else { continue };
             let Some((_, edited)) = named(edited) else { continue };
-            if is_equal(value, edited)? {
+            if agrees(edited)? {
                 let repair = Repair::of(edit, display.body.start, Verdict::Verified);
-                let message = format!("this is not {says}");
-                let wrong = finding(Verdict::Refuted, Code::SidesDiffer, message);
+                let verdict = (Verdict::Refuted, Code::SidesDiffer);
+                let wrong = gate::settled(found, verdict, format!("this is not {says}"));
                 return Ok(Some(Equation { repairs: vec![repair], ..wrong }));
             }
         }
