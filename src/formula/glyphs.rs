@@ -161,7 +161,7 @@ fn alphabet(command: &str, inner: &str) -> Option<char> {
 }
 
 /// The commands that print one character, without the backslash.
-const LETTERS: [(&str, char); 119] = [
+const LETTERS: [(&str, char); 129] = [
     ("sum", 'Σ'),
     ("prod", 'Π'),
     ("int", '∫'),
@@ -244,6 +244,10 @@ const LETTERS: [(&str, char); 119] = [
     ("rightarrow", '→'),
     ("leftarrow", '←'),
     ("leftrightarrow", '↔'),
+    ("uparrow", '↑'),
+    ("downarrow", '↓'),
+    ("nearrow", '↗'),
+    ("searrow", '↘'),
     ("Rightarrow", '⟹'),
     ("Leftrightarrow", '⟺'),
     ("mapsto", '↦'),
@@ -263,6 +267,12 @@ const LETTERS: [(&str, char); 119] = [
     ("equiv", '≡'),
     ("bullet", '•'),
     ("odot", '⊙'),
+    ("ominus", '⊖'),
+    ("square", '□'),
+    ("blacksquare", '■'),
+    ("diamond", '⋄'),
+    ("bigstar", '★'),
+    ("flat", '♭'),
     ("land", '∧'),
     ("lor", '∨'),
     ("neg", '¬'),

@@ -203,25 +203,9 @@ fn prime_marks(sup: &Item) -> Option<u8> {
     }
 }
 
-/// Signs of spins, of sublattices and of places that stand as indices.
-const ARROWS: [&str; 12] = [
-    "\\uparrow",
-    "\\downarrow",
-    "\\nearrow",
-    "\\searrow",
-    "\\ominus",
-    "\\square",
-    "\\blacksquare",
-    "\\triangle",
-    "\\diamond",
-    "\\bigstar",
-    "\\hbar",
-    "\\flat",
-];
-
 /// Whether a command may be an index: one that prints a letter or a sign.
 pub(super) fn is_index_sign(name: &str) -> bool {
-    !plain_text(name).starts_with('\\') || ARROWS.contains(&name)
+    !plain_text(name).starts_with('\\')
 }
 
 /// Appends the tokens of a subscript; `None` if it is not the subscript of a name.
