@@ -154,3 +154,26 @@ fn what_is_the_value_at_an_instant_does_not_vary() {
     assert_eq!(verdicts("spring", SPRING)[1], "certified");
     assert_ne!(verdicts("spring-wrong", &SPRING.replace(r"B \sin\omega t", r"B \sin 2\omega t"))[1], "certified");
 }
+
+#[test]
+fn what_stands_before_a_place_in_a_sine_is_no_angle() {
+    let string = |slope: &str| {
+        format!(
+            "On the left\n\n$$ y(x) = A \\sin kx $$\n\nand on the right\n\n$$ z(x) = B \\sin k(\\ell - x) $$\n\nThe slopes are\n\n\
+             $$ y'(x) = {slope} $$\n"
+        )
+    };
+    let desk = Desk::new("letters-wave-number");
+    let report = |notes: &str| {
+        desk.write("notes.md", notes);
+        let run = desk.onshell(&["check", "notes.md", "--format", "json"]);
+        assert!(!run.out.contains("sin(k)"), "{}", run.out);
+        run.json()["documents"][0]["equations"][2]["verdict"].as_str().unwrap_or_default().to_owned()
+    };
+    assert_eq!(report(&string("A k \\cos kx")), "certified");
+    assert_eq!(report(&string("A k \\sin kx")), "refuted");
+    // an angle before a parenthesis stays one
+    desk.write("notes.md", "$$ F = m g \\sin\\theta(1 + \\mu) $$\n");
+    let run = desk.onshell(&["check", "notes.md", "--verbose"]);
+    assert!(run.out.contains("sin(θ)·(1 + μ)"), "{}", run.out);
+}

@@ -22,6 +22,8 @@ pub(crate) struct Usage {
     pub modulus: bool,
     /// Whether it stands alone in a sine or a cosine.
     pub angle: bool,
+    /// Whether it stands before the time, a place or a parenthesis in a sine: ω in sin ωt, k in sin k(x − a). Then it is no angle.
+    pub scales: bool,
     /// Whether it stands alone on one side of a relation whose other side moves.
     pub follows: bool,
     /// Whether it stands in a formula that is said to be constant, and not in an exponent.
@@ -102,6 +104,7 @@ pub(crate) fn names_of(displays: &[Display], macros: &Macros) -> Vec<Usage> {
             statements.push(sides(statement));
         }
     }
+    found.iter_mut().for_each(|usage| usage.angle &= !usage.scales);
     follow(&statements, &mut found);
     for (name, at) in valued {
         entry(&mut found, &name, at);
@@ -257,6 +260,14 @@ fn follow(statements: &[Vec<Side>], found: &mut [Usage]) {
     }
 }
 
+/// Letters of angles: `\sin\theta(a + b)` is a product.
+const ANGLES: [&str; 9] =
+    ["\\theta", "\\vartheta", "\\phi", "\\varphi", "\\psi", "\\alpha", "\\beta", "\\gamma", "\\chi"];
+
+fn is_parenthesis(item: &Item) -> bool {
+    matches!(item.layout, Layout::Fence(Delimiter::Round, _))
+}
+
 /// Whether an item is the time or a place: before one, a name in a sine is a factor, as in sin ωt, and no angle.
 fn is_variable(item: &Item) -> bool {
     names::printed(item, None)
@@ -316,6 +327,7 @@ fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'f mut Usage
             positive: false,
             modulus: false,
             angle: false,
+            scales: false,
             follows: false,
             conserved: false,
             raises: false,
@@ -368,7 +380,12 @@ fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {
             usage.conserved |= place.conserved;
             usage.raises |= place.raises;
             usage.precedes |= items[index + 1..].iter().find(|next| !is_space(next)).is_some_and(is_factor);
-            usage.angle |= here.angle && !follows.is_some_and(is_variable);
+            let is_factor_of = |next: &Item| {
+                is_variable(next) || is_parenthesis(next) && !ANGLES.contains(&printed.name.base.as_str())
+            };
+            let scales = here.angle && follows.is_some_and(is_factor_of);
+            usage.scales |= scales;
+            usage.angle |= here.angle && !scales;
             if let Some(arguments) = follows.and_then(names_in_parentheses) {
                 usage.arguments.get_or_insert(arguments);
             }
