@@ -92,3 +92,30 @@ fn a_derivative_of_an_unknown_function_is_a_quotient_of_rates() {
     let found = verdicts("beam-slip", "notes.md", &beam("dM = -Q\\,dx"));
     assert!(!matches!(found[1].as_str(), "verified" | "certified"), "{found:?}");
 }
+
+#[test]
+fn a_derivative_of_a_printed_formula_is_wrong_where_one_slip_separates_it_from_its_value() {
+    let desk = Desk::new("unaided-derivatives");
+    let verdict = |formula: &str, derivative: &str| {
+        desk.write("notes.md", format!("Let\n\n$$ {formula} $$\n\nThen\n\n$$ {derivative} $$\n"));
+        let run = desk.onshell(&["check", "notes.md", "--format", "json"]);
+        run.json()["documents"][0]["equations"][1]["verdict"].as_str().unwrap_or_default().to_owned()
+    };
+    let wave = r"y(x) = A \sin(k x)";
+    for (formula, right, wrong) in [
+        (wave, r"\frac{dy}{dx} = A k \cos(k x)", r"\frac{dy}{dx} = A k \sin(k x)"),
+        (wave, r"y'(x) = A k \cos(k x)", r"y'(x) = A k^2 \cos(k x)"),
+        (wave, r"\frac{d^2 y}{dx^2} = -A k^2 \sin(k x)", r"\frac{d^2 y}{dx^2} = -A k \sin(k x)"),
+        (
+            r"N(t) = N_0 e^{-\gamma t}",
+            r"\frac{dN}{dt} = -\gamma N_0 e^{-\gamma t}",
+            r"\frac{dN}{dt} = \gamma N_0 e^{-\gamma t}",
+        ),
+        (r"V(r) = \frac{a}{r^2}", r"\partial_r V = -\frac{2 a}{r^3}", r"\partial_r V = -\frac{2 a}{r^2}"),
+    ] {
+        assert_eq!(verdict(formula, right), "certified", "{right}");
+        assert_eq!(verdict(formula, wrong), "refuted", "{wrong}");
+    }
+    // what no slip separates from the derivative is something else
+    assert_eq!(verdict(wave, r"\frac{dy}{dx} = B + C x"), "assumed");
+}

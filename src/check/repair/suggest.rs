@@ -20,6 +20,7 @@ use std::collections::HashSet;
 use crate::Result;
 use crate::code::Code;
 use crate::formula::{Expr, Node, Statement};
+use crate::latex::layout::prints_derivative;
 use crate::latex::slips::{Edit, Pool, Slip};
 use crate::latex::{Reading, slips};
 use crate::notes::claims::{Claim, Equilibrium};
@@ -333,6 +334,10 @@ fn passing_edits(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, edits: &[Edit
                 // Exchanged names, and products of vectors, vanish too easily to be offered.
                 let multiplies = ["\\times", "\\cdot"].iter().any(|operator| edit.replacement.contains(operator));
                 let may_say_nothing = !is_removal(edit) && edit.slip != Slip::Name && !multiplies;
+                let is_written_out = |side: &Expr| {
+                    let printed = text.get(side.span.range()).unwrap_or_default();
+                    prints_derivative(printed, &checker.model.macros)
+                };
                 let mut passes = |trial: &Trial<'_, '_>, now: &Reading, step: bool| -> Result<bool> {
                     let vacuous = Cell::new(false);
                     let is_meant = |reading: &Reading| {
@@ -342,7 +347,8 @@ fn passing_edits(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, edits: &[Edit
                             false => {
                                 let is_one_way = !has_branches(wrong.text);
                                 let taken_back = is_one_way && is_taken_back(now, reading);
-                                !(taken_back || is_lost(now, reading, checker.model) || repeats_a_statement(reading))
+                                let is_lost = || is_lost(now, reading, checker.model, &is_written_out);
+                                !(taken_back || is_lost() || repeats_a_statement(reading))
                             }
                         };
                         says_something && !whole.has_vanishing_rate(reading)

@@ -16,8 +16,14 @@ use crate::check::vacuity::monomials;
 use crate::check::vacuity::monomials::{Monomial, add};
 
 /// Whether an edit makes a display trivial: an equation in it now equates a side with itself, a side of an
-/// approximation has become 0, or its one symbol has been replaced by one of another kind.
-pub(crate) fn is_lost(before: &Reading, after: &Reading, model: &Model) -> bool {
+/// approximation has become 0, or its one symbol has been replaced by one of another kind. A derivative that `is_written_out` is
+/// read as its value, and that it has this value is no triviality.
+pub(crate) fn is_lost(
+    before: &Reading,
+    after: &Reading,
+    model: &Model,
+    is_written_out: &dyn Fn(&Expr) -> bool,
+) -> bool {
     before.statements.iter().zip(&after.statements).any(|pair| match pair {
         (Ok(before), Ok(after)) if before.members.len() == after.members.len() => {
             let links = before.members.windows(2).zip(after.members.windows(2)).zip(&after.relations);
@@ -28,9 +34,10 @@ pub(crate) fn is_lost(before: &Reading, after: &Reading, model: &Model) -> bool 
                         let becomes_zero = |(before, after): (&Expr, &Expr)| {
                             after.is_null() && !before.is_null() && !before.symbols().is_empty()
                         };
-                        before.iter().zip(after.iter()).any(becomes_zero) || becomes_trivial(before, after)
+                        before.iter().zip(after.iter()).any(becomes_zero)
+                            || becomes_trivial(before, after, is_written_out)
                     }
-                    relation => is_equality(*relation) && becomes_trivial(before, after),
+                    relation => is_equality(*relation) && becomes_trivial(before, after, is_written_out),
                 })
         }
         _ => false,
@@ -69,11 +76,11 @@ pub(crate) fn is_linear_in(link: &Link, symbol: SymbolId) -> bool {
 }
 
 /// Whether an edit turns an equation into a reordering, and it was not an identity with a step in it.
-fn becomes_trivial(before: &[Expr], after: &[Expr]) -> bool {
+fn becomes_trivial(before: &[Expr], after: &[Expr], is_written_out: &dyn Fn(&Expr) -> bool) -> bool {
     let ([a, b], [left, right]) = (before, after) else { return false };
     let (left, right) = (&at_zero(left), &at_zero(right));
     let says_nothing = is_reordered(left, right) || monomials::cancels(left, right);
-    if !says_nothing || ![a, b].into_iter().all(is_collected) {
+    if !says_nothing || ![a, b].into_iter().all(is_collected) || is_written_out(left) != is_written_out(right) {
         return false;
     }
     // The equation was a sum in another order, with a mistake in a sign, a number or a power.

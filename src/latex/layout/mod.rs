@@ -51,4 +51,4 @@ pub use parser::layout;
 #[cfg(feature = "notes")]
 pub(crate) use print::{latex, typed};
 #[cfg(feature = "notes")]
-pub(crate) use text::typeset_items;
+pub(crate) use text::{prints_derivative, typeset_items};

@@ -13,6 +13,7 @@ use super::marks::with_plain_marks;
 use super::parser::layout;
 use super::rest::with_rests;
 use super::spelled::{with_commands, with_units};
+use super::values::has_derivative;
 
 /// The layout of a text, with its macros expanded and legacy commands normalized.
 ///
@@ -84,4 +85,9 @@ fn is_no_factor(token: &Token) -> bool {
         token.kind,
         TokenKind::Space(_) | TokenKind::Close | TokenKind::Row | TokenKind::Align | TokenKind::Other(_)
     ) || matches!(&token.kind, TokenKind::Command(name) if name == "\\end" || name == "\\right")
+}
+
+/// Whether a derivative stands in a text that can be typeset.
+pub(crate) fn prints_derivative(text: &str, macros: &Macros) -> bool {
+    typeset_items(text, macros).is_ok_and(|items| has_derivative(&items))
 }

@@ -211,7 +211,7 @@ pub(crate) fn parts_of(item: &Item) -> Vec<&[Item]> {
 }
 
 /// Whether a derivative stands in items: a quotient of differentials, ∂, ∇ or overdots.
-pub(crate) fn has_derivative(items: &[Item]) -> bool {
+pub(super) fn has_derivative(items: &[Item]) -> bool {
     items.iter().any(|item| {
         let mark = |name: &str| name == "\\partial" || name == "\\nabla" || name.ends_with("dot") && name != "\\cdot";
         let is_mark = matches!(&item.layout, Layout::Command(name) | Layout::Accent(name, _) if mark(name));

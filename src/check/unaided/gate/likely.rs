@@ -1,6 +1,7 @@
 //! Whether a correction of a display makes it likely that its author made a slip.
 
 use crate::formula::{Expr, Node, Statement, SymbolId, Symbols};
+use crate::latex::layout::prints_derivative;
 use crate::latex::{Reading, read_display};
 use crate::notes::Display;
 use crate::source::Span;
@@ -210,9 +211,9 @@ impl Correction<'_> {
         let pairs = self.statements().flat_map(|statement| statement.members.windows(2));
         let mut claims = pairs.filter(is_edited).filter(is_claim).peekable();
         // A derivative that is written out says more than its value, which is what was read.
+        let is_printed = prints_derivative(self.printed, &model.macros);
         let is_differentiated = |pair: &[Expr]| {
-            self.printed.contains("\\partial")
-                && pair.iter().map(|side| occurrences(side, model)).sum::<usize>() >= FEWEST_SYMBOLS
+            is_printed && pair.iter().map(|side| occurrences(side, model)).sum::<usize>() >= FEWEST_SYMBOLS
         };
         // So does an integral.
         let is_integrated = |pair: &[Expr]| {

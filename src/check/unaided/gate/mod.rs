@@ -11,8 +11,7 @@ use std::collections::HashMap;
 
 use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
-use crate::latex::layout::typeset_items;
-use crate::latex::layout::values::has_derivative;
+use crate::latex::layout::prints_derivative;
 use crate::latex::{Macros, Reading, read_display};
 use crate::notes::Display;
 use crate::source::Span;
@@ -228,8 +227,7 @@ pub(super) fn lost_derivative(reading: &Reading, display: &Display, macros: &Mac
         let text = display.text.get(part.span.start..part.span.end).unwrap_or_default();
         // The parts of an integral that has a value are all read from the whole of it, its zeros too.
         let is_integral = text.contains("\\int");
-        text.contains(|c: char| c.is_ascii_alphabetic())
-            && (!is_integral || typeset_items(text, macros).is_ok_and(|items| has_derivative(&items)))
+        text.contains(|c: char| c.is_ascii_alphabetic()) && (!is_integral || prints_derivative(text, macros))
     };
     let mut is_lost = false;
     for member in reading.statements.iter().flatten().flat_map(|statement| &statement.members) {
