@@ -16,7 +16,7 @@ use super::outcome::{Format, Outcome, Screen, shown};
 use super::progress::ProgressLine;
 use super::values;
 
-/// Makes every single mistake in the equations of notes, and tells which of them the check would not detect
+/// Changes one thing at a time in the equations of notes, such as a sign, and lists the changes that the check would not detect
 ///
 /// Exits with 0 if it would detect all, 1 if a mistake would pass, 2 if something could not be checked.
 #[derive(clap::Args)]

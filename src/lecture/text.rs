@@ -71,7 +71,7 @@ pub fn evidence(line: &Line, equation: &Equation) -> String {
         parts.push(format!("{} from {}", finding.verdict, from.join(", ")));
         match (finding.false_accept_log2, &finding.not_certified_because) {
             (Some(power), _) => parts.push(format!("false with probability below 2^{:.0}", power.ceil())),
-            (None, Some(reason)) => parts.push(format!("not certified because of {reason}")),
+            (None, Some(reason)) => parts.push(format!("not certified: exact arithmetic does not decide {reason}")),
             (None, None) if !equation.ok => parts.push(finding.message.clone()),
             (None, None) => {}
         }

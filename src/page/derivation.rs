@@ -109,7 +109,7 @@ fn bound(equation: &Equation) -> Markup {
     html! {
         @match (finding.false_accept_log2, &finding.not_certified_because) {
             (Some(power), _) => { "It is false with a probability below 2" sup { (format!("{:.0}", power.ceil())) } "." }
-            (None, Some(reason)) => { "It is not certified because of " (reason) "." }
+            (None, Some(reason)) => { "It was tested with numbers, and is not certified: exact arithmetic does not decide " (reason) "." }
             (None, None) => {}
         }
     }

@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::corrections::Correction;
 use super::evidence::capital;
 use super::{Page, framed, style, typeset, way_back};
-use crate::check::mark::{Line, Mark, Marked, Reached};
+use crate::check::mark::{Derived, Line, Mark, Marked, Reached};
 use crate::notes::{Kind, MacroDefinition, Notes};
 use crate::report::marks::{Hints, called, correction, hint, number};
 
@@ -225,8 +225,12 @@ fn shown(marked: &Marked, (at, line): (usize, &Line), macros: &[MacroDefinition]
                             (super::document::corrected(&correction, "Correction", macros))
                         }
                         (Some(derived), None) if hints.0 >= 3 => {
-                            p { (capital(&hint(marked, line, Hints(2)))) ". It is off by, or should read:" }
-                            div class="wide" tabindex="0" role="group" aria-label="What it should be" { (typeset::block(derived, macros)) }
+                            @let (lead, label, formula) = match derived {
+                                Derived::Instead(formula) => ("The derived equation is:", "Derived equation", formula),
+                                Derived::Difference(formula) => ("Left side − right side is not 0:", "Left side minus right side", formula),
+                            };
+                            p { (capital(&hint(marked, line, Hints(2)))) ". " (lead) }
+                            div class="wide" tabindex="0" role="group" aria-label=(label) { (typeset::block(formula, macros)) }
                         }
                         _ if hints.0 == 1 => p { (advice(marked, at)) "." },
                         _ => p { (capital(&hint(marked, line, hints))) "." },

@@ -42,7 +42,7 @@ pub fn text(answer: &Comparison, style: Style) -> String {
         tell("", &format!("certified: false with probability below 2^{:.0}", power.ceil()));
     }
     if let Some(reason) = &finding.not_certified_because {
-        tell("", &format!("not certified because of {reason}"));
+        tell("", &format!("not certified: exact arithmetic does not decide {reason}"));
     }
     lines.join("\n") + "\n"
 }

@@ -5,7 +5,7 @@
 
 use serde_json::{Value, json};
 
-use crate::check::mark::{Because, Line, Mark, Marked, Reached, ResultMark};
+use crate::check::mark::{Because, Derived, Line, Mark, Marked, Reached, ResultMark};
 use crate::notes::claims::Lost;
 
 use super::style::Style;
@@ -69,12 +69,15 @@ pub fn hint(marked: &Marked, line: &Line, hints: Hints) -> String {
     if hints.0 >= 3 {
         if let Some((is, should)) = correction(marked, line) {
             text += &match (is.as_str(), should.as_str()) {
-                ("", should) => format!("; add {should}"),
+                ("", should) => format!("; insert {should}"),
                 (is, "") => format!("; leave out {is}"),
-                (is, should) => format!("; {should} in place of {is}"),
+                (is, should) => format!("; write {should} in place of {is}"),
             };
         } else if let Some(derived) = &line.derived {
-            text += &format!("; it is off by, or should read: {derived}");
+            text += &match derived {
+                Derived::Instead(formula) => format!("; the derived equation is {formula}"),
+                Derived::Difference(formula) => format!("; left side − right side is {formula}, and not 0"),
+            };
         }
     }
     text

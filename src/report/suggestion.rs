@@ -64,7 +64,7 @@ pub fn repair(repair: &Repair, first: bool, source: &Source, style: Style) -> St
             _ => format!("{} use ({of}); with this edit of ({of}), all of them hold", listed(mends, "and")),
         },
         (None, true) => "Then this step passes, but a later step of the chain still fails".to_owned(),
-        (None, false) if repair.verdict == Verdict::Definition => "Then the document passes".to_owned(),
+        (None, false) if repair.verdict == Verdict::Definition => "Then this equation passes".to_owned(),
         (None, false) if repair.verdict == Verdict::Assumed => "Then the dimensions fit".to_owned(),
         (None, false) => format!("Then the equation is {}", repair.verdict),
     };

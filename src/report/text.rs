@@ -276,7 +276,7 @@ fn details(document: &Document, item: &Equation, style: Style) -> String {
     };
     if let Some(numbers) = document.automatic_numbers.get(&item.id) {
         let numbers: Vec<String> = numbers.iter().map(|number| format!("({number})")).collect();
-        tell(0, &format!("LaTeX prints {}", numbers.join(", ")));
+        tell(0, &format!("the number in the typeset document: {}", numbers.join(", ")));
     }
     if item.parts.is_empty() {
         // What could not be read has no reading.
@@ -284,7 +284,7 @@ fn details(document: &Document, item: &Equation, style: Style) -> String {
             tell(0, &item.reading);
         }
         if let Some(reason) = &item.finding.not_certified_because {
-            tell(0, &format!("not certified because of {reason}"));
+            tell(0, &format!("not certified: exact arithmetic does not decide {reason}"));
         }
     }
     for part in &item.parts {
@@ -292,7 +292,7 @@ fn details(document: &Document, item: &Equation, style: Style) -> String {
         tell(0, &format!("{}:\u{a0} {unread}", part.finding.verdict.word()));
         tell(2, &summary_of(&part.finding));
         if let Some(reason) = &part.finding.not_certified_because {
-            tell(2, &format!("not certified because of {reason}"));
+            tell(2, &format!("not certified: exact arithmetic does not decide {reason}"));
         }
     }
     if item.ok {

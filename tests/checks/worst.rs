@@ -115,7 +115,7 @@ fn a_narrow_dip_is_found_and_a_proof_is_named() {
     ] {
         let found = under(latex, &[]);
         assert_eq!(found.verdict, Verified, "{latex}: {found:?}");
-        let words = if is_proved { "proved for all values in the ranges" } else { "which is no proof" };
+        let words = if is_proved { "proved for all values in the ranges" } else { "this is not a proof" };
         assert!(found.message.contains(words), "{latex}: {found:?}");
     }
 }

@@ -104,11 +104,7 @@ impl Checker<'_> {
         let close = Link { relation: Relation::Approximately, ..link.clone() };
         match small::of_motion(&close, &small, &rates, context) {
             Ok(linear) if linear.verdict.holds() => {
-                let message = format!(
-                    "holds to first order in the coordinates about {}; {}",
-                    self.shown(&places),
-                    linear.message
-                );
+                let message = format!("about {}, this {}", self.shown(&places), linear.message);
                 Ok(Some(Finding { message, ..linear }))
             }
             // A place with a letter is one of rest, or of a steady motion, under a condition that the claim need not contain.

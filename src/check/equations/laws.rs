@@ -51,7 +51,7 @@ impl Checker<'_> {
                 return Ok(Some(context.finding(Code::NotALaw, Verdict::Undecided, message)));
             }
             if self.model.system.is_some() {
-                let message = "the system determines the motion, so this cannot be a law; remove it from `laws`";
+                let message = "the Lagrangian or the system determines the motion, so this cannot be a law; remove it from `laws`, and it is checked";
                 return Ok(Some(context.finding(Code::NotALaw, Verdict::Undecided, message)));
             }
         }

@@ -373,7 +373,8 @@ impl Checker<'_> {
             return Ok(found);
         }
         let along = identity::check(link, &on_it)?;
-        let numbers: Vec<String> = beside.iter().map(|(at, _)| shown(&self.notes.equations[*at])).collect();
+        let mut numbers: Vec<String> = beside.iter().map(|(at, _)| shown(&self.notes.equations[*at])).collect();
+        numbers.dedup();
         let of = format!("the solution in ({})", numbers.join("), ("));
         match along.verdict {
             verdict if verdict.holds() => Ok(Finding { message: format!("holds along {of}"), ..along }),

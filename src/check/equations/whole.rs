@@ -138,7 +138,9 @@ impl Checker<'_> {
                 match finding.verdict {
                     Verdict::Refuted => {
                         let would_hold = finding.mutant.clone().unwrap_or_default();
-                        let message = format!("the printed formula and \"also equals\" differ{would_hold}");
+                        let message = format!(
+                            "the printed formula, on the left, differs from \"also equals\", on the right{would_hold}"
+                        );
                         Finding { message, ..finding }
                     }
                     _ => finding,

@@ -122,7 +122,7 @@ fn without_hypotheses(link: &Link, context: &Context<'_>) -> Result<Option<Findi
     Ok(found
         .verdict
         .passes()
-        .then(|| Finding { message: format!("{}; it does not need its hypotheses", found.message), ..found }))
+        .then(|| Finding { message: format!("{}; it also holds without its hypotheses", found.message), ..found }))
 }
 
 /// Leaves those of the states at which all defined names of a claim have a value; returns whether there are enough of them, and
@@ -305,12 +305,12 @@ fn equality_that_holds(
             finding.message.push_str(&format!(": it is {combination}"));
         }
         if let Vacuity::FollowsFromHypotheses = vacuity {
-            finding.message.push_str("; it follows from its hypotheses alone");
+            finding.message.push_str("; it follows from its hypotheses, whatever the motion");
         }
         let unneeded =
             if context.options.deduction { Vec::new() } else { premises::unneeded(link, context, on_shell)? };
         if !unneeded.is_empty() {
-            finding.message.push_str(&format!("; it does not need {}", unneeded.join(", ")));
+            finding.message.push_str(&format!("; it also holds without {}", unneeded.join(", ")));
         }
         drop(states);
         finding = family_sizes::certified(link, context, &ensemble, finding)?;

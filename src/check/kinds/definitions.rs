@@ -91,12 +91,13 @@ pub fn check(
         }
         Some((_, change)) => {
             let message = format!(
-                "defines {name}, but no other equation would fail with {change}; use {name} once more, or put it under `define`"
+                "defines {name}, but no other equation tests it: with {change} all of them still hold; use {name} once more, or put it under `define`"
             );
             Ok(context.finding(Code::DefinitionNotTested, Verdict::Undecided, message).defining(&name))
         }
         None => {
-            let message = format!("defines {name}; each change{except} makes {} fail", names.join(" or "));
+            let message =
+                format!("defines {name}; a wrong formula for {name}{except} would make {} fail", names.join(" or "));
             Ok(Finding { points, tried: points, ..context.finding(code, Verdict::Definition, message) })
         }
     }

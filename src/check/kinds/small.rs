@@ -172,7 +172,10 @@ fn with_small_rates(
         return Ok(moving);
     }
     let rates: Vec<String> = rates.iter().map(|rate| text::formula(rate, &context.model.symbols)).collect();
-    Ok(Finding { message: format!("{}; small with their coordinates: {}", moving.message, rates.join(", ")), ..moving })
+    Ok(Finding {
+        message: format!("{}; small with the coordinates are {}", moving.message, rates.join(", ")),
+        ..moving
+    })
 }
 
 /// Checks a claim to an order in the quantities that are scaled.
@@ -261,7 +264,7 @@ fn scaled(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Res
         return Ok(context.finding(Code::MutantPasses, Verdict::Undecided, message));
     }
     let message = match slowest.is_finite() {
-        true => format!("holds to order {order}: the error falls as the power {slowest:.1} of the small quantities"),
+        true => format!("holds to order {order} in the small quantities: the error is of order {slowest:.1}"),
         false => "holds to every order of the small quantities".to_owned(),
     };
     let points = families.len();

@@ -70,8 +70,12 @@ fn judged(
     let is_rated = [&target.lhs, &target.rhs].into_iter().any(|side| contains_rate(side, unknown, context.model));
     if is_rated {
         let name = context.model.name(unknown);
+        let way_out = match context.model.has_motion() {
+            true => format!("a formula for {name} is checked against the motion without \"solves\""),
+            false => "put the equation under \"laws\"".to_owned(),
+        };
         let message = format!(
-            "the equation contains a rate of {name}, so a value of {name} does not solve it; put the equation under \"laws\""
+            "the equation contains a time derivative of {name}, and \"solves\" is for equations without one; {way_out}"
         );
         return Ok(context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message));
     }

@@ -90,6 +90,16 @@ impl<T: Into<String>> From<T> for Because {
     }
 }
 
+/// What shows how far a line is wrong, as LaTeX.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Derived {
+    /// The derived equation, for one of motion.
+    Instead(String),
+    /// Its left side minus its right side.
+    Difference(String),
+}
+
 /// A line of a hand-in.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
@@ -115,8 +125,8 @@ pub struct Line {
     pub because: Because,
     /// The slip in a wrong line, if it is known.
     pub slip: Option<Slipped>,
-    /// Left side minus right side, or the derived equation, as LaTeX.
-    pub derived: Option<String>,
+    /// What shows how far it is wrong.
+    pub derived: Option<Derived>,
     /// The wanted result that it reaches, by its place among the results.
     pub result: Option<usize>,
     /// The points for that.

@@ -34,5 +34,5 @@ mod status;
 mod world;
 mod written;
 
-pub use marked::{Because, Line, Mark, Marked, Reached, ResultMark};
+pub use marked::{Because, Derived, Line, Mark, Marked, Reached, ResultMark};
 pub use problem::Problem;

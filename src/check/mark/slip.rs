@@ -13,10 +13,10 @@ use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome;
 use crate::check::verdict::Verdict;
-use crate::check::verdict::finding::Finding;
+use crate::check::verdict::finding::{Finding, Formula};
 use crate::check::verdict::report::Equation;
 
-use super::marked::Slipped;
+use super::marked::{Derived, Slipped};
 use super::status::{Status, status};
 use super::world::World;
 
@@ -56,7 +56,7 @@ pub(super) fn found(
     checker: &Checker<'_>,
     world: &World<'_>,
     at: usize,
-) -> Result<(Option<Corrected>, Option<Slipped>, Option<String>)> {
+) -> Result<(Option<Corrected>, Option<Slipped>, Option<Derived>)> {
     let display = world.first + at;
     if world.display(at).text.len() > LONGEST {
         return Ok((None, None, None));
@@ -80,8 +80,10 @@ pub(super) fn found(
     });
     let corrected = corrected.into_iter().next().or_else(|| edited(checker, world, at));
     let fitted = fitted(&equation.finding, world, at);
-    let derived = equation.finding.derived.as_ref().or(equation.finding.difference.as_ref());
-    Ok((corrected, fitted, derived.map(|formula| world.in_own_letters(&formula.latex))))
+    let shown = |formula: &Formula| world.in_own_letters(&formula.latex);
+    let instead = equation.finding.derived.as_ref().map(|formula| Derived::Instead(shown(formula)));
+    let difference = || equation.finding.difference.as_ref().map(|formula| Derived::Difference(shown(formula)));
+    Ok((corrected, fitted, instead.or_else(difference)))
 }
 
 /// The slip that the coefficients of the terms show, where no single edit corrects the line.

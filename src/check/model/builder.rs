@@ -47,7 +47,8 @@ impl Builder<'_> {
                 .error(latex, format!("{} has a dot, which is not part of a name", latex.value))
                 .help("declare the symbol without the dot")),
             None => Err(self.error(latex, format!("{} is not the name of a symbol", latex.value)).help(
-                "a name is a letter or a Greek command, with accents, a subscript or primes: \\hat{e}_a, p_\\psi",
+                "a name is a letter or a Greek letter, with accents, a subscript or primes: \\hat{e}_a, p_\\psi; write commas \
+                 between names: \"m, k\"",
             )),
         }
     }

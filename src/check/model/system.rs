@@ -261,7 +261,7 @@ impl Builder<'_> {
 
     fn quantity(&self, meaning: &Spanned<String>) -> Result<Quantity> {
         if self.model.system.is_none() && !self.is_printed() {
-            return Err(self.error(meaning, "this meaning needs a system").help(
+            return Err(self.error(meaning, format!("\"{}\" needs a system, and there is none", meaning.value)).help(
                 "name one under \"system\", or say which name in the notes is the Lagrangian or the Hamiltonian: \"means\": \
                  { \"L\": \"Lagrangian\" }",
             ));

@@ -41,7 +41,7 @@ pub(crate) fn explanation(projection: &Projection<'_>) -> String {
     match projection.record.is_stuck() {
         true => format!(
             "{what}: {they} {contradict} the declared ranges{others}, or the solver failed; check {them}, or write {them} \
-             solved for a symbol (x = …)"
+             in the form x = …"
         ),
         false => format!(
             "{what}: {they} {contradict} the declared ranges{others}, or the ranges are too wide; check {them}, or narrow \

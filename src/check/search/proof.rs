@@ -32,7 +32,7 @@ pub(crate) fn by_subdivision(link: &Link, context: &Context<'_>, ensemble: &Ense
         return finding;
     }
     let open = |finding: Finding| {
-        let message = format!("{}; a search found no counterexample, which is no proof", finding.message);
+        let message = format!("{}; a search found no counterexample, but this is not a proof", finding.message);
         Finding { message, ..finding }
     };
     let is_strict = matches!(link.relation, Relation::Less | Relation::Greater);

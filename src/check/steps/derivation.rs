@@ -211,7 +211,9 @@ fn inherit(finding: &mut Finding, inherited: Inherited) {
     let message = match from == root {
         true => format!("this step is correct, but it builds on the mistake in ({root}); fix ({root})"),
         false => {
-            format!("this step is correct, but it builds on ({from}), and so on the mistake in ({root}); fix ({root})")
+            format!(
+                "this step is correct, but it builds on ({from}), which builds on the mistake in ({root}); fix ({root})"
+            )
         }
     };
     let Finding { verdict, span, points, tried, .. } = *finding;

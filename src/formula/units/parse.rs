@@ -246,7 +246,9 @@ fn unknown(word: &str, span: Span, behind: &str) -> Fault {
         return fault.help(format!("write {symbol}"));
     }
     let halves = word.char_indices().skip(1).map(|(at, _)| word.split_at(at));
-    if let Some((a, b)) = halves.into_iter().find(|(a, b)| named(a).is_some() && named(b).is_some()) {
+    // `kgg` is kg with a letter too many: nobody writes two masses in one unit.
+    let is_product = |a: &str, b: &str| named(a).zip(named(b)).is_some_and(|(a, b)| a != b);
+    if let Some((a, b)) = halves.into_iter().find(|(a, b)| is_product(a, b)) {
         return fault.help(format!("write a space between factors: {a} {b}{behind}"));
     }
     let names = UNITS.iter().flat_map(|Unit(symbol, name, ..)| [*symbol, *name]).chain(["kg", "km", "cm", "mm", "ms"]);

@@ -320,7 +320,7 @@ fn unclear(span: Span, sup: &Item, meanings: &str) -> Fault {
 
 fn mark(span: Span) -> Fault {
     Fault::unsupported(span, "this superscript is not a power, and is not supported")
-        .help("use another name, such as x_+")
+        .help("write it as a subscript, such as x_+")
 }
 
 fn label(span: Span) -> Fault {

@@ -28,6 +28,9 @@ const SHORT: [&str; 3] = ["ln", "lg", "tg"];
 const NUMBERS: [&str; 18] =
     ["Re", "Im", "Nu", "Pr", "Gr", "Ra", "Fr", "Bo", "Bi", "Pe", "We", "Sh", "Kn", "Oh", "Ja", "Ro", "Ec", "Wi"];
 
+/// The most letters beside the name of a function in a run of letters that may be a product.
+const LONGEST_FACTORS: usize = 2;
+
 /// Words that are a whole run.
 const WORDS: [&str; 51] = [
     "and", "or", "of", "to", "so", "no", "for", "the", "with", "where", "if", "is", "in", "it", "not", "let", "then",
@@ -115,6 +118,10 @@ fn is_no_word(word: &str, span: Span, symbols: &Symbols) -> Read<()> {
             true => format!("write \\{name} for the function; {apart}"),
             false => apart.to_owned(),
         };
+        if word.len() > name.len() + LONGEST_FACTORS {
+            return Err(Fault::ambiguous(span, format!("{word} may be a word of the text or a product"))
+                .help(format!("end the formula before the word, or write \\text{{{word}}}; {apart}")));
+        }
         return Err(Fault::ambiguous(span, format!("{word} may be a function or a product")).help(help));
     }
     if let Some(name) = OPERATORS.iter().find(|name| word.starts_with(**name) || word.ends_with(**name)) {

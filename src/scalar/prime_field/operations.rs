@@ -210,7 +210,7 @@ impl<F: Modulus> Modular<F> {
         if other.value.is_zero() {
             // a quotient by what is literally 0 has no value anywhere
             if other.is_constant_zero() {
-                return Self::refused("a quotient by 0");
+                return Self::refused("a quotient whose denominator is 0 at the sampled point");
             }
             with_evaluation(|evaluation: &mut Evaluation<F>| {
                 evaluation.comparisons.record.undefined_here = Some("a denominator that vanishes")

@@ -130,8 +130,9 @@ impl Checker<'_> {
                 context.finding(Code::Introduced, Verdict::Definition, format!("puts in {}", values.join(", ")))
             }
             None => {
-                let message =
-                    format!("numbers are inserted for {shown} here; they were not compared with earlier values of it");
+                let message = format!(
+                    "the numbers for {shown} were not checked: the notes give no values of its letters that fit"
+                );
                 context.finding(Code::Assumed, Verdict::Assumed, message)
             }
         }

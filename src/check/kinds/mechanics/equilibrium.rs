@@ -58,8 +58,8 @@ pub(crate) fn check(claimed: Equilibrium, context: &Context<'_>) -> Result<Findi
         if !found.verdict.holds() {
             let moves = found.verdict == Verdict::Refuted;
             let message = match (moves, claimed) {
-                (true, Equilibrium::Steady) => "the system does not stay on this steady motion".to_owned(),
-                (true, _) => "the system does not stay at rest here".to_owned(),
+                (true, Equilibrium::Steady) => "an acceleration that is 0 in steady motion is not 0 here".to_owned(),
+                (true, _) => "the system does not stay at rest here: an acceleration is not 0".to_owned(),
                 (false, _) => found.message.clone(),
             };
             return Ok(Finding { message, ..found });

@@ -64,7 +64,7 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
             return Ok(context.finding(Code::SidesDiffer, Verdict::Refuted, message));
         }
     }
-    Ok(Finding { message: "is a normal frequency: det(K − ω²M) is 0 there".to_owned(), ..found })
+    Ok(Finding { message: "this is a normal frequency: with it det(K − ω²M) = 0".to_owned(), ..found })
 }
 
 /// Checks that an equation is the secular equation for a frequency.

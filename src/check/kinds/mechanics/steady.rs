@@ -90,7 +90,7 @@ pub(crate) fn check(square: &Expr, what: &str, place: &[Hypothesis], context: &C
     {
         found = where_stable(&link, found, context)?;
     }
-    let known = format!("is the {what} of small oscillations: ω² = K/M there");
+    let known = format!("this is the {what} of small oscillations: its square is K/M of the Lagrangian at this place");
     // A frequency exists where the place is stable, and is claimed there.
     if found.code == Code::DomainDiffers {
         let holds = context.verified(known, "a root that is not real where the place is not stable");

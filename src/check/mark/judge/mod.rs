@@ -371,7 +371,7 @@ fn carried(lines: &[Line], from: usize) -> Because {
     match root == from {
         true => format!("is a correct step, but builds on the mistake in {}", lines[root].name),
         false => format!(
-            "is a correct step, but builds on {}, and so on the mistake in {}",
+            "is a correct step, but builds on {}, which builds on the mistake in {}",
             lines[from].name, lines[root].name
         ),
     }
