@@ -159,6 +159,8 @@ pub struct Inferred {
     pub has_factor_d: bool,
     /// Whether a T above a letter is a transpose.
     pub has_transposes: bool,
+    /// Whether ∂ stands in the display, so that d/dx beside it is a total derivative.
+    pub has_partials: bool,
     /// Each inference in words.
     pub said: Vec<String>,
 }

@@ -23,7 +23,7 @@ pub fn statement(statement: &Statement, symbols: &Symbols) -> String {
     if !statement.conditions.is_empty() {
         let conditions = Writer { symbols }.conditions(&statement.conditions);
         // `\text{in } \Omega` is shown with its own word.
-        let has_word = ["in ", "on ", "at ", "for ", "if ", "when ", "whenever ", "provided "]
+        let has_word = ["in ", "on ", "as ", "at ", "for ", "if ", "when ", "whenever ", "provided "]
             .iter()
             .any(|word| conditions.starts_with(word));
         text.push_str(&format!("{}{conditions}", if has_word { " " } else { " for " }));

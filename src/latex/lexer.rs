@@ -213,18 +213,26 @@ fn spelling(name: &str) -> &str {
     }
 }
 
+/// The units of lengths in TeX.
+const LENGTHS: [&str; 9] = ["pt", "em", "ex", "mm", "cm", "in", "pc", "bp", "mu"];
+
 /// Skips the star and the optional height of a row break, `\\*[2pt]`.
 fn after_row_break(text: &str, mut end: usize) -> usize {
     if text[end..].starts_with('*') {
         end += 1;
     }
-    if text[end..].starts_with('[')
-        && let Some(close) = text[end..].find(']')
+    let open = end + text[end..].len() - text[end..].trim_start_matches(' ').len();
+    if text[open..].starts_with('[')
+        && let Some(close) = text[open..].find(']')
     {
-        let inside = &text[end + 1..end + close];
-        let is_length = inside.trim().len() <= 12 && inside.trim().ends_with(|c: char| c.is_ascii_alphabetic());
-        if is_length && inside.trim().starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '.') {
-            return end + close + 1;
+        let inside = text[open + 1..open + close].trim();
+        let is_unit = if open == end {
+            inside.ends_with(|c: char| c.is_ascii_alphabetic())
+        } else {
+            LENGTHS.iter().any(|unit| inside.ends_with(unit))
+        };
+        if is_unit && inside.len() <= 12 && inside.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '.') {
+            return open + close + 1;
         }
     }
     end

@@ -208,6 +208,12 @@ pub(super) fn is_index_sign(name: &str) -> bool {
     !plain_text(name).starts_with('\\')
 }
 
+/// Whether a number or a letter stands above or below the line of a fraction in an index.
+fn is_index_part(item: &Item) -> bool {
+    let items = if let Layout::Group(items) = &item.layout { items.as_slice() } else { std::slice::from_ref(item) };
+    matches!(items, [Item { layout: Layout::Number(_) | Layout::Letter(_), .. }])
+}
+
 /// Appends the tokens of a subscript; `None` if it is not the subscript of a name.
 fn subscript(item: &Item, branch: Option<Sign>, tokens: &mut Vec<String>) -> Option<()> {
     match &item.layout {
@@ -238,6 +244,12 @@ fn subscript(item: &Item, branch: Option<Sign>, tokens: &mut Vec<String>) -> Opt
             tokens.push("(".to_owned());
             items.iter().try_for_each(|inner| subscript(inner, branch, tokens))?;
             tokens.push(")".to_owned());
+        }
+        // `\phi_{j+\frac12}`
+        Layout::Fraction(above, below) if [above, below].iter().all(|part| is_index_part(part)) => {
+            subscript(above, branch, tokens)?;
+            tokens.push("/".to_owned());
+            subscript(below, branch, tokens)?;
         }
         Layout::Style(style, inner) if style == "\\mathrm" => subscript(inner, branch, tokens)?,
         Layout::Text(word) => tokens.extend(word.chars().map(String::from)),

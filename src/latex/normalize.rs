@@ -33,6 +33,7 @@ fn is_old(token: &Token) -> bool {
         "\\stackrel",
         "\\overset",
         "\\displaylines",
+        "\\arg",
     ];
     forms.contains(&name.as_str()) || switch(name).is_some()
 }
@@ -89,6 +90,7 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
             Some((open, end)) => braced(tokens, at, (open, end), into),
             None => at + 1,
         },
+        "\\arg" => argument_of_an_extremum(tokens, at, into),
         "\\stackrel" | "\\overset" => stacked(tokens, at, argument, into),
         // `9.8\,\rm m\,s^{-2}`, `\rm kg`: the unit reaches to the end, as TeX sets it.
         "\\rm" if upright(tokens, at) > 0 => upright_unit(tokens, at, into),
@@ -103,6 +105,25 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
             at + 1
         }
     }
+}
+
+/// Rewrites `\arg\min` and `\arg\max` into one name. Returns the position of what follows.
+fn argument_of_an_extremum(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
+    let spaces = tokens[at + 1..].iter().take_while(|token| token.kind == TokenKind::Space(Space::Thin)).count();
+    let extremum = tokens.get(at + 1 + spaces).and_then(|token| match &token.kind {
+        TokenKind::Command(name) if name == "\\min" || name == "\\max" => Some((name, token.span)),
+        _ => None,
+    });
+    let Some((name, end)) = extremum else {
+        into.push(tokens[at].clone());
+        return at + 1;
+    };
+    let span = tokens[at].span.to(end);
+    let letters = format!("arg{}", &name[1..]);
+    let name = [TokenKind::Command("\\mathrm".to_owned()), TokenKind::Open];
+    let all = name.into_iter().chain(letters.chars().map(TokenKind::Letter)).chain([TokenKind::Close]);
+    into.extend(all.map(|kind| Token { kind, span }));
+    at + 2 + spaces
 }
 
 /// Rewrites what stands over or under a brace, without the brace, and leaves out its label. Returns the position of what follows.

@@ -167,3 +167,18 @@ pub(super) fn is_derivative_mark(item: &Item) -> bool {
         _ => false,
     }
 }
+
+/// Whether an equals sign stands directly in a group.
+pub(super) fn has_equals(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Group(items) if items.iter().any(|item| item.layout == Layout::Other('=')))
+}
+
+/// The letters of items that are letters and spaces; empty, if there are others.
+pub(super) fn letters_and_spaces(items: &[Item]) -> String {
+    let one = |item: &Item| match item.layout {
+        Layout::Letter(c) => Some(c),
+        Layout::Space(_) => Some(' '),
+        _ => None,
+    };
+    items.iter().map(one).collect::<Option<String>>().unwrap_or_default()
+}

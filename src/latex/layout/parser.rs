@@ -9,7 +9,7 @@ use crate::source::{Fault, Span};
 use super::super::lexer::{Space, Token, TokenKind};
 use super::angles::{bars_before_angle, bra_length, is_lone_bar};
 use super::delimiters::{closing, glyph, is_plain_bar, unclosed, unopened, without_argument};
-use super::item::{Delimiter, Item, Layout, is_derivative_mark, letters};
+use super::item::{Delimiter, Item, Layout, has_equals, is_derivative_mark, letters, letters_and_spaces};
 use super::units;
 
 /// The most levels of groups inside groups; equations in notes have far fewer.
@@ -104,11 +104,12 @@ impl<'a> Parser<'a> {
                 continue;
             }
             let item = self.scripted(false);
-            // `{}` sets nothing, and neither do braces around a parenthesis, `\theta{\left(t \right)}`.
+            // `{}` sets nothing, and neither do braces around a parenthesis, `\theta{\left(t \right)}`, or a fraction,
+            // `{\frac{d}{dt}}(mv)`.
             match item.layout {
                 Layout::Group(inside) if inside.is_empty() => {}
                 Layout::Group(mut inside)
-                    if matches!(inside.as_slice(), [Item { layout: Layout::Fence(Delimiter::Round, _), .. }]) =>
+                    if matches!(inside.as_slice(), [Item { layout: Layout::Fence(Delimiter::Round, _) | Layout::Fraction(..), .. }]) =>
                 {
                     items.append(&mut inside);
                 }
@@ -343,7 +344,13 @@ impl<'a> Parser<'a> {
                 {
                     self.next();
                 }
-                let inner = self.argument(span);
+                let mut inner = self.argument(span);
+                // `\operatorname{arg\,min}`
+                if let Layout::Group(items) = &mut inner.layout
+                    && ["arg min", "arg max"].contains(&letters_and_spaces(items).as_str())
+                {
+                    items.retain(|item| matches!(item.layout, Layout::Letter(_)));
+                }
                 // `\mathrm{.}`: a full stop in another font.
                 let mark = match &inner.layout {
                     Layout::Group(items) => match items.as_slice() {
@@ -378,8 +385,18 @@ impl<'a> Parser<'a> {
                     self.list(Until::Bracket);
                     self.next();
                 }
-                self.argument(span);
-                Layout::Command(format!("\\{}", &name[2..]))
+                let above = self.argument(span);
+                let arrow = Layout::Command(format!("\\{}", &name[2..]));
+                // `\xrightarrow{m_1 = m_2}`: what follows holds under a condition.
+                match has_equals(&above) {
+                    true => Layout::Scripts {
+                        nucleus: Box::new(Item { layout: arrow, span }),
+                        sub: None,
+                        sup: Some(Box::new(above)),
+                        primes: 0,
+                    },
+                    false => arrow,
+                }
             }
             "\\underset" if self.is_underset_operator() => return self.underset(span),
             "\\left" => return self.left(span),
@@ -411,8 +428,18 @@ impl<'a> Parser<'a> {
         units::word(word, &argument, span.to(Span::at(self.previous_end())))
     }
 
+    /// Skips the place of an environment on its line, or of its columns: `\begin{aligned}[t]`, `\begin{bmatrix*}[r]`.
+    fn skip_position(&mut self) {
+        let mut next = self.tokens[self.at..].iter().map(|token| &token.kind);
+        let is_position = next.next() == Some(&TokenKind::Other('['))
+            && matches!(next.next(), Some(TokenKind::Letter('t' | 'c' | 'b' | 'l' | 'r')))
+            && next.next() == Some(&TokenKind::Other(']'));
+        self.at += if is_position { 3 } else { 0 };
+    }
+
     fn environment(&mut self, span: Span) -> Item {
         let name = letters(&self.argument(span));
+        self.skip_position();
         // Column specifications and numbers of columns set nothing that matters.
         if matches!(name.as_str(), "array" | "alignedat" | "alignat" | "alignat*") {
             self.argument(span);

@@ -29,6 +29,7 @@ pub(super) fn begins_condition(item: &Item) -> bool {
                 | "at"
                 | "on"
                 | "in"
+                | "as"
         ),
         _ => false,
     }
@@ -65,7 +66,12 @@ pub(super) fn is_pause(item: &Item) -> bool {
 /// Whether an item is a parenthesis with a comparison in it. `(\hat a|0\rangle = 0)` is a result, and restricts nothing.
 pub(super) fn is_comparison(item: &Item) -> bool {
     let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
-    let Some(at) = inside.iter().position(|item| relation(item).is_some()) else { return false };
+    // `(t \ll \tau)`, `(r \to \infty)`
+    let compares = |item: &Item| {
+        let is_sign = |name: &str| ["\\to", "\\rightarrow", "\\ll", "\\gg", "\\lesssim", "\\gtrsim"].contains(&name);
+        relation(item).is_some() || matches!(&item.layout, Layout::Command(name) if is_sign(name))
+    };
+    let Some(at) = inside.iter().position(compares) else { return false };
     let has_state = inside[..at].iter().any(|item| matches!(item.layout, Layout::Fence(Delimiter::Ket, _)));
     !(has_state && inside[at].layout == Layout::Other('='))
 }

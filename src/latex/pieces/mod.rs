@@ -16,6 +16,7 @@ mod regions;
 mod remarks;
 mod separators;
 mod split;
+mod unclear_members;
 mod value_lists;
 
 use crate::source::Fault;
@@ -41,7 +42,12 @@ pub(super) fn pieces(items: &[Item], is_abstract: bool) -> Vec<Piece<'_>> {
     drop_captions(&mut pieces);
     regions::attach(&mut pieces);
     match is_abstract {
-        true => join_lists(&mut pieces),
+        true => {
+            join_lists(&mut pieces);
+            for piece in pieces.iter_mut().filter(|piece| piece.fault.is_none()) {
+                piece.fault = unclear_members::unclear_member(piece);
+            }
+        }
         false => reject_lone_values(&mut pieces),
     }
     share_conditions(&mut pieces);

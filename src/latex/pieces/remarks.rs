@@ -15,7 +15,11 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
         const LONG: usize = 10;
         let is_phrase = |item: &Item| matches!(&item.layout, Layout::Text(word) if !is_unit(word) && (word.len() >= LONG || is_prose(word)));
         let is_apart = at > 0 && matches!(items[at - 1].layout, Layout::Space(_));
-        return is_apart && inside.iter().any(is_phrase);
+        // `U = -\frac{k}{r} \; (\text{general})`
+        let is_note = is_aside(items, at)
+            && matches!(inside.as_slice(), [Item { layout: Layout::Text(word), .. }]
+                if word.len() > 2 && word.chars().all(char::is_alphabetic) && !is_unit(word));
+        return is_apart && (is_note || inside.iter().any(is_phrase));
     }
     let word = match &items[at].layout {
         _ if separates(items[at]) => return false,
@@ -46,6 +50,13 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
     }
     let number = items[..at].iter().rev().find(is_significant).is_some_and(|item| is_figure(item));
     if number && is_unit(&word) {
+        return false;
+    }
+    // `10^5\text{ Dynes}`: directly after a number stands its unit.
+    const LONGEST_UNIT: usize = 8;
+    let is_beside = at > 0 && items[at - 1].layout != Layout::Space(Space::Wide);
+    let is_alphabetic = word.chars().all(|c| c.is_ascii_alphabetic() || c == '/');
+    if number && is_beside && is_alphabetic && word.len() <= LONGEST_UNIT && !is_prose(&word) {
         return false;
     }
     let bound = |item: &&Item| is_operator(item) || relation(item).is_some();

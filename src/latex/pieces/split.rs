@@ -66,12 +66,12 @@ impl<'a> Splitter<'a, '_> {
                 self.take_alternatives(place.clone());
                 continue;
             }
-            // Before a row a wide space indents what goes on.
-            if self.is_wide() && self.starts_row {
+            // Before a row spaces indent what goes on.
+            if matches!(self.item().layout, Layout::Space(_)) && self.starts_row {
                 self.at += 1;
                 continue;
             }
-            if self.takes_values() || self.takes_condition() {
+            if self.takes_number() || self.takes_arrow() || self.takes_values() || self.takes_condition() {
                 continue;
             }
             self.note_unclear_arrow();
@@ -120,6 +120,44 @@ impl<'a> Splitter<'a, '_> {
         let several = one_of_several(items, self.number, self.is_abstract, self.pieces.last_mut());
         self.pieces.push(several);
         (self.comma, self.starts_row, self.at) = (None, false, place.end);
+    }
+
+    /// Takes the number of the equation at the end of a row, behind a wide space: `F = ma \qquad (7-47)`.
+    fn takes_number(&mut self) -> bool {
+        let (items, at) = (self.items, self.at);
+        let is_apart = at > 0 && items[at - 1].layout == Layout::Space(Space::Wide);
+        let is_number = self.is_abstract && is_apart && ends_the_row(items, at) && is_equation_number(items[at]);
+        let states = self.current.as_ref().or(self.pieces.last()).is_some_and(|piece| piece.links.len() > 1);
+        if !is_number || !states {
+            return false;
+        }
+        self.end();
+        self.at = items.len();
+        true
+    }
+
+    /// Takes an arrow that stands alone between two equations: `a = b \quad\to\quad c = d`.
+    fn takes_arrow(&mut self) -> bool {
+        let item = self.item();
+        let follows = self.current.is_none() && self.pieces.last().is_some_and(|piece| piece.links.len() > 1);
+        let rest = &self.items[self.at + 1..];
+        let spaces = rest.iter().take_while(|item| matches!(item.layout, Layout::Space(_))).count();
+        if !self.is_abstract || !follows || !states_something(&rest[spaces..]) {
+            return false;
+        }
+        match &item.layout {
+            Layout::Scripts { nucleus, .. } if is_arrow(nucleus) => {
+                let what = "the condition of this arrow is not supported";
+                let fault = Fault::unsupported(item.span, what).help("write the condition beside its equation");
+                let mut piece = Piece { fault: Some(fault), ..Piece::new(self.number) };
+                piece.links.push(Link { relation: None, sign: None, items: vec![item] });
+                self.pieces.push(piece);
+            }
+            _ if is_arrow(item) => {}
+            _ => return false,
+        }
+        (self.starts_row, self.at) = (false, self.at + 1);
+        true
     }
 
     /// Takes a list of values, which says for what the statement beside it holds: `n = 1, 2, 3`.
@@ -340,13 +378,30 @@ fn one_of_several<'a>(items: &[&'a Item], row: usize, is_abstract: bool, before:
     piece
 }
 
+/// Whether nothing but a point or spaces follows.
+fn ends_the_row(items: &[&Item], at: usize) -> bool {
+    items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_) | Layout::Other('.' | ',')))
+}
+
+/// Whether an item is the number of an equation in parentheses: `(7-47)`, `(2.3)`, `(A-1)`, `(1a)`, `[12]`.
+fn is_equation_number(item: &Item) -> bool {
+    let Layout::Fence(Delimiter::Round | Delimiter::Square, inside) = &item.layout else { return false };
+    let has_number = inside.iter().any(|item| matches!(item.layout, Layout::Number(_)));
+    let is_part = |(at, item): (usize, &Item)| match &item.layout {
+        Layout::Number(_) => true,
+        Layout::Other('-' | '–' | '.') => at > 0 && at + 1 < inside.len(),
+        Layout::Letter(letter) => at == 0 && letter.is_ascii_uppercase() || at > 0 && at + 1 == inside.len(),
+        _ => false,
+    };
+    has_number && inside.iter().enumerate().all(is_part)
+}
+
 /// Whether the item is a whole number in parentheses at the end of the row, after a space: `F = ma \quad (2)`.
 fn is_number_of_the_row(items: &[&Item], at: usize) -> bool {
     let Layout::Fence(Delimiter::Round, inside) = &items[at].layout else { return false };
     let is_number = matches!(inside.as_slice(), [Item { layout: Layout::Number(_), .. }]);
     let after_space = at > 0 && matches!(items[at - 1].layout, Layout::Space(_));
-    let is_last = items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_) | Layout::Other('.' | ',')));
-    is_number && after_space && is_last
+    is_number && after_space && ends_the_row(items, at)
 }
 
 /// Whether the item is a whole number in parentheses before a system: `(1) \begin{cases} …`.
@@ -360,7 +415,8 @@ fn is_number_before_a_row(items: &[&Item], at: usize) -> bool {
 
 /// Whether an item is a simple arrow.
 fn is_arrow(item: &Item) -> bool {
-    matches!(&item.layout, Layout::Command(name) if name == "\\rightarrow" || name == "\\longrightarrow")
+    matches!(&item.layout, Layout::Command(name)
+        if ["\\rightarrow", "\\longrightarrow", "\\to", "\\leadsto"].contains(&name.as_str()))
 }
 
 /// Whether an equation stands before the next separator.

@@ -20,6 +20,15 @@ use super::values::Place;
 impl Reader<'_> {
     /// A single item as a formula.
     pub(super) fn item(&mut self, item: &Item) -> Read<Expr> {
+        // `{\mu\pi}_K`
+        if let Layout::Scripts { nucleus, sub: Some(_), .. } = &item.layout
+            && let Layout::Group(inside) = &nucleus.layout
+            && inside.len() > 1
+            && inside.iter().all(|inner| names::printed(inner, self.branch).is_some())
+        {
+            return Err(Fault::ambiguous(item.span, "braces do not print, so {a b}_k may be (a b)_k or a b_k")
+                .help("use parentheses, or put the subscript on its letter"));
+        }
         match self.is_abstract() && names::printed(item, self.branch).is_none() {
             true => match self.abstract_item(item)? {
                 Some(found) => Ok(found),
@@ -459,7 +468,7 @@ fn unread(item: &Item, has_claims: bool) -> Fault {
         Layout::Style(name, _) | Layout::Accent(name, _) => {
             Fault::unsupported(span, format!("{name} is not supported here"))
         }
-        Layout::Text(word) if word == "or" => Fault::unsupported(span, "“or” between formulas is not supported")
+        Layout::Text(word) if ["or", "oder", "ou"].contains(&word.as_str()) => Fault::unsupported(span, format!("“{word}” between formulas is not supported"))
             .help("write each case as an equation of its own"),
         Layout::Text(word) => Fault::unsupported(span, format!("the text “{word}” is not supported here")),
         Layout::Other(',') => Fault::unsupported(span, "a comma is not supported here")

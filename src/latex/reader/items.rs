@@ -51,7 +51,7 @@ pub(in super::super) fn contents(item: &Item) -> &[Item] {
 }
 
 /// The lists of items directly inside an item.
-pub(super) fn parts(item: &Item) -> Vec<&[Item]> {
+pub(in super::super) fn parts(item: &Item) -> Vec<&[Item]> {
     match &item.layout {
         Layout::Group(items) | Layout::Fence(_, items) => vec![items],
         Layout::Fraction(a, b) => vec![contents(a), contents(b)],

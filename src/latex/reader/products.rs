@@ -10,7 +10,7 @@ use super::super::names::unaccented;
 use super::items::{Joint, beside, extent, joint};
 use super::slashes;
 use super::state::{Read, Reader};
-use super::undeclared::bar;
+use super::undeclared::{bar, unclear_reach};
 
 /// A term as far as it was read.
 struct Factors {
@@ -83,6 +83,11 @@ impl Reader<'_> {
     pub(super) fn term(&mut self, items: &[Item]) -> Read<Expr> {
         let whole = extent(items).unwrap_or_default();
         if self.is_abstract()
+            && let Some(fault) = unclear_reach(items)
+        {
+            return Err(fault);
+        }
+        if self.is_abstract()
             && let Some(found) = self.infix_product(items, whole)?
         {
             return Ok(found);
@@ -100,6 +105,9 @@ impl Reader<'_> {
             if matches!(item.layout, Layout::Space(_)) {
                 cursor += 1;
                 continue;
+            }
+            if self.symbols.open || self.symbols.guessed {
+                self.is_a_clear_factor(items, cursor)?;
             }
             if let Some(found) = joint(item) {
                 factors.join(found, items, cursor)?;

@@ -152,6 +152,8 @@ impl Reader<'_> {
                 return Err(mark(sup.span));
             }
             [Item { layout: Layout::Other('*' | '+' | '-' | '°' | '†'), .. }] => return Err(mark(sup.span)),
+            // `2^{(n-1)}`, `(a + b)^{(n-1)}`: neither has a mark.
+            [Item { layout: Layout::Fence(Delimiter::Round, _), .. }] if is_value(base) => return Ok(()),
             [Item { layout: Layout::Fence(delimiter, _), .. }] if !is_bar(*delimiter) => return Err(mark(sup.span)),
             [Item { layout: Layout::Text(_), .. }] => return Err(label(sup.span)),
             // `v^{\hat r}` is the component along a direction.
@@ -306,6 +308,11 @@ fn is_unlikely_index(
 
 fn is_dagger(item: &Item) -> bool {
     matches!(&item.layout, Layout::Command(name) if ["\\dagger", "\\ddagger"].contains(&name.as_str()))
+}
+
+/// Whether a formula is a number or a sum or product, and no name.
+pub(super) fn is_value(base: &Expr) -> bool {
+    matches!(base.node, Node::Number(_) | Node::Sum(_) | Node::Product(_) | Node::Quotient(..))
 }
 
 /// Whether a delimiter is that of an absolute value.

@@ -32,11 +32,11 @@ const NUMBERS: [&str; 18] =
 const LONGEST_FACTORS: usize = 2;
 
 /// Words that are a whole run.
-const WORDS: [&str; 51] = [
+const WORDS: [&str; 57] = [
     "and", "or", "of", "to", "so", "no", "for", "the", "with", "where", "if", "is", "in", "it", "not", "let", "then",
     "when", "else", "all", "any", "are", "from", "rad", "deg", "sum", "mol", "avg", "net", "tot", "kin", "pot", "vel",
     "pos", "acc", "old", "new", "out", "KE", "PE", "ME", "GPE", "EPE", "NTU", "FWHM", "RMS", "SNR", "COP", "EMF", "SG",
-    "CoV",
+    "CoV", "MSE", "DOF", "GWP", "MTF", "SFC", "LHV",
 ];
 
 /// Energies that are a whole run.
@@ -128,6 +128,10 @@ fn is_no_word(word: &str, span: Span, symbols: &Symbols) -> Read<()> {
         return Err(Fault::ambiguous(span, format!("{word} may contain the operator {name} or be a product"))
             .help(format!("{name} is not supported; {apart}")));
     }
+    // `HHV`, `ESS`: nobody multiplies a capital by itself without a power. `VSWR`: nor four different ones.
+    let letters = word.as_bytes();
+    let are_capitals = letters.len() > 2 && letters.iter().all(u8::is_ascii_uppercase);
+    let is_short_form = are_capitals && (letters.len() > 3 || letters.windows(2).any(|pair| pair[0] == pair[1]));
     let is_lower = |c: char| c.is_ascii_lowercase();
     let is_long = word.len() >= 4
         && word.chars().skip(1).all(is_lower)
@@ -135,7 +139,7 @@ fn is_no_word(word: &str, span: Span, symbols: &Symbols) -> Read<()> {
     let has_number = NUMBERS.iter().any(|name| if is_abstract { word == *name } else { word.contains(name) });
     // Without a declaration that anybody confirmed, KE is the kinetic energy.
     let is_energy = is_guessed && ENERGIES.contains(&word);
-    if is_energy || open && (is_long || has_number || WORDS.contains(&word)) {
+    if is_energy || open && (is_long || is_short_form || has_number || WORDS.contains(&word)) {
         return Err(Fault::ambiguous(span, format!("{word} may be a name or a product"))
             .help(format!("a name of several letters is a letter with a subscript, such as E_{{kin}}; {apart}")));
     }

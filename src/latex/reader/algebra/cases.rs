@@ -80,7 +80,7 @@ impl Reader<'_> {
             items = trimmed(inside);
         }
         let or = items.iter().find(|item| {
-            matches!(&item.layout, Layout::Text(word) if word == "or")
+            matches!(&item.layout, Layout::Text(word) if ["or", "oder", "ou"].contains(&word.as_str()))
                 || matches!(&item.layout, Layout::Command(name) if name == "\\lor" || name == "\\vee")
         });
         if let Some(or) = or {

@@ -16,6 +16,10 @@ impl Reader<'_> {
         let Layout::Fence(delimiter, inside) = &item.layout else { return Ok(None) };
         let span = item.span;
         let commas = inside.iter().filter(|item| is_separator(item)).count();
+        if *delimiter == Delimiter::Square && are_indices(inside) {
+            return Err(Fault::ambiguous(span, "this may be a Christoffel symbol or the commutator of a product")
+                .help("write \\Gamma_{\\kappa\\mu\\nu} for the symbol, and \\cdot in the product"));
+        }
         Ok(Some(match delimiter {
             Delimiter::Ket => self.template(&format!("|{}\\rangle", self.by_sign(inside)), Vec::new(), span),
             Delimiter::Bra => self.template(&format!("\\langle {}|", self.by_sign(inside)), Vec::new(), span),
@@ -116,4 +120,18 @@ fn is_bar(item: &Item) -> bool {
         Layout::Command(name) => name == "\\mid",
         _ => false,
     }
+}
+
+/// Whether two usual indices stand side by side before a comma and a third after it: `[\mu\nu, \kappa]`.
+fn are_indices(inside: &[Item]) -> bool {
+    const INDICES: [&str; 14] = [
+        "i", "j", "k", "l", "m", "n", "\\mu", "\\nu", "\\kappa", "\\lambda", "\\rho", "\\sigma", "\\iota", "\\alpha",
+    ];
+    let is_index = |item: &Item| {
+        names::printed(item, None).is_some_and(|found| {
+            found.sup.is_none() && found.name.subscript.is_empty() && INDICES.contains(&found.name.base.as_str())
+        })
+    };
+    let solid: Vec<&Item> = inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    matches!(solid.as_slice(), [a, b, comma, c] if is_separator(comma) && [a, b, c].iter().all(|item| is_index(item)))
 }

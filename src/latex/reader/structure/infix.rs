@@ -348,9 +348,11 @@ fn sign(item: &Item, signs: &[&str]) -> bool {
 
 /// Whether a word is one of ordinary language, and neither a name nor a unit.
 pub(in super::super::super) fn is_prose(word: &str) -> bool {
-    const WORDS: [&str; 44] = [
+    const WORDS: [&str; 46] = [
         "and",
         "or",
+        "oder",
+        "ou",
         "if",
         "for",
         "when",

@@ -5,9 +5,9 @@
 //! | a letter above a name with a place on a grid below it, `u_{i,j}^n`, `u_{i+1}^n` | the number of a step |
 //! | the same letter with and without + 1 above one name, beside a step, `\Delta t`, or as a difference divided by one, `(u^{n+1} - u^n)/h` | of all names that have the letter above |
 //! | a letter with a number added above a vector or behind ∇, `\mathbf u^{n+1}`, `\nabla u^{n+1}` | the same |
-//! | the same without a step, and a name with it alone on the left side of a sum | may be the number of a step |
+//! | the same without a step, or half of one, `y^{n+1/2}` | may be the number of a step |
 //!
-//! A letter that is a factor or a term of its own, as in `x^{n+1}/(n + 1)`, is a power.
+//! A letter that is a factor or a term of its own, as in `x^{n+1}/(n + 1)`, is a power, and so is one below a Σ.
 
 use std::collections::HashSet;
 
@@ -15,8 +15,7 @@ use crate::formula::symbols::Inferred;
 
 use super::super::super::layout::{Item, Layout};
 use super::super::super::names;
-use super::super::super::rows::relation;
-use super::super::items::{contents, parts};
+use super::super::items::{contents, is_big_product, is_big_sum, parts};
 use super::super::state::Reader;
 use super::super::vector_names::is_vectorial;
 use super::printed;
@@ -36,13 +35,13 @@ pub(in super::super::super) fn note_levels(items: &[Item], inferred: &mut Inferr
         let all: Vec<&Above> = found.above.iter().filter(|above| above.counter == counter).collect();
         let advances =
             all.iter().any(|one| all.iter().any(|other| other.base == one.base && other.offset != one.offset));
-        let is_recursion =
-            all.iter().any(|one| !one.offset.is_empty() && found.left.as_deref() == Some(&one.base)) && found.has_sum;
+        // `f(t^{n+1/2}, y^n)`: half a step.
+        let is_halved = all.len() > 1 && all.iter().any(|one| one.offset.contains(['/', '\\']));
         for above in &all {
             let key = (above.base.clone(), counter);
             if above.is_on_a_grid || found.of_fields.contains(&counter) || advances && found.has_step {
                 inferred.levels.insert(key);
-            } else if advances && is_recursion {
+            } else if (advances || is_halved) && !found.summed.contains(&counter) {
                 inferred.possible_levels.insert(key);
             }
         }
@@ -82,22 +81,14 @@ struct Found {
     factors: HashSet<char>,
     /// Counters above vectors and behind ∇, with a number added: neither has such a power.
     of_fields: HashSet<char>,
+    /// Counters below a Σ or a Π, of which a power is a term of a series.
+    summed: HashSet<char>,
     has_step: bool,
-    /// The name that is the whole left side.
-    left: Option<String>,
-    has_sum: bool,
 }
 
 impl Found {
     fn list(&mut self, items: &[Item]) {
         let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
-        if let [first, second, ..] = solid.as_slice()
-            && relation(second).is_some()
-            && self.left.is_none()
-        {
-            self.left = base(first);
-        }
-        self.has_sum |= solid.iter().skip(1).any(|item| matches!(item.layout, Layout::Other('+' | '-')));
         for (at, item) in solid.iter().enumerate() {
             let is_delta = matches!(&item.layout, Layout::Command(name) if name == "\\Delta");
             self.has_step |= is_delta && solid.get(at + 1).is_some_and(|next| names::printed(next, None).is_some());
@@ -116,6 +107,10 @@ impl Found {
         match &item.layout {
             Layout::Letter(letter) if COUNTERS.contains(letter) => {
                 self.factors.insert(*letter);
+            }
+            Layout::Scripts { nucleus, sub: Some(sub), .. } if is_big_sum(nucleus) || is_big_product(nucleus) => {
+                let letter = |item: &Item| if let Layout::Letter(letter) = item.layout { Some(letter) } else { None };
+                self.summed.extend(contents(sub).iter().filter_map(letter));
             }
             Layout::Scripts { nucleus, sub, sup, primes: 0 } => {
                 let found = sup.as_deref().and_then(counted).zip(base(item));

@@ -105,10 +105,15 @@ impl Reader<'_> {
                     )
                     .help("write the relation alone, if it is meant to hold"));
                 }
+                let place = item.span.to(base.span);
+                if matches!(contents(base), [Item { layout: Layout::Command(name), .. }] if name.ends_with("arrow")) {
+                    let what = "an arrow with a formula above or below it is not supported";
+                    return Err(Fault::unsupported(place, what));
+                }
                 *cursor += 3;
                 let inner = self.item(base)?;
                 let template = format!("{name}{{{}}}{{#}}", printed(contents(next)));
-                Ok(Some(self.template(&template, vec![inner], item.span.to(base.span))))
+                Ok(Some(self.template(&template, vec![inner], place)))
             }
             "\\binom" | "\\dbinom" | "\\tbinom" => {
                 let Some(below) = items.get(*cursor + 2) else { return Ok(None) };

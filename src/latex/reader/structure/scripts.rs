@@ -5,12 +5,13 @@
 
 use crate::formula::shape::Shape;
 use crate::formula::tree::{Expr, Node};
-use crate::source::Span;
+use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Delimiter, Item, Layout};
 use super::super::super::names;
 use super::super::items::{contents, is_minus_one, is_transpose, whole_number};
 use super::super::state::{Read, Reader};
+use super::super::superscripts::is_value;
 use super::printed;
 
 impl Reader<'_> {
@@ -20,11 +21,15 @@ impl Reader<'_> {
         let has_no_powers = matches!(shape, Shape::Abstract | Shape::Vector | Shape::Matrix(..));
         let text = self.by_sign(contents(sup));
         let is_number = matches!(base.node, Node::Number(_));
+        if is_in_parentheses(sup) && !is_value(base) && may_be_an_exponent(contents(sup)) {
+            return Err(Fault::ambiguous(span, "the superscript in parentheses may be a mark or a power")
+                .help("write a power without the parentheses"));
+        }
         let is_mark = match is_transpose(sup) {
             true => has_no_powers || self.symbols.inferred.has_transposes,
             false => {
                 // Nobody writes the powers x⁰ and x¹.
-                is_sign(sup)
+                is_sign(sup) && !(is_in_parentheses(sup) && is_value(base))
                     || !is_number && matches!(whole_number(sup), Some(0 | 1))
                     || !is_number && is_word(sup)
                     || !is_number && self.is_index(sup)
@@ -126,6 +131,18 @@ fn is_word(sup: &Item) -> bool {
     let is_capital = |item: &Item| matches!(item.layout, Layout::Letter('A'..='Z'));
     let are_capitals = contents(sup).len() > 2 && contents(sup).iter().all(is_capital);
     are_capitals || WORDS.contains(&printed(contents(sup)).as_str())
+}
+
+/// Whether a fraction of numbers or a negative number stands in the parentheses of a superscript: `x^{(1/2)}`, `x^{(-1)}`.
+fn may_be_an_exponent(above: &[Item]) -> bool {
+    let [Item { layout: Layout::Fence(Delimiter::Round, inside), .. }] = above else { return false };
+    let is_number = |item: &Item| matches!(item.layout, Layout::Number(_) | Layout::Other('-' | '/') | Layout::Fraction(..));
+    inside.len() > 1 && inside.iter().all(is_number)
+}
+
+/// Whether all that stands above is in parentheses.
+fn is_in_parentheses(sup: &Item) -> bool {
+    matches!(contents(sup), [Item { layout: Layout::Fence(Delimiter::Round, _), .. }])
 }
 
 /// Whether what stands above is a sign, a word or a number in parentheses, and so no power.

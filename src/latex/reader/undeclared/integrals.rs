@@ -70,6 +70,11 @@ impl Reader<'_> {
                 let last = rest[..at].iter().rev().find(|item| !matches!(item.layout, Layout::Space(_)));
                 let is_open = |last: &Item| joint(last).is_some() || is_big_product(last) || is_big_sum(last);
                 if last.is_some_and(is_open) {
+                    // `\int \prod_i dx_i\, e^{-S}`: the product of the differentials ends before the integrand.
+                    if last.is_some_and(is_big_product) && !blank(&rest[end..]) {
+                        return Err(Fault::ambiguous(whole, "the product of the differentials may go on")
+                            .help("write the product of the differentials in parentheses, or put the integrand before it"));
+                    }
                     return self.term(&rest[..end]);
                 }
                 let integrand = self.sum(&rest[..at], whole)?;

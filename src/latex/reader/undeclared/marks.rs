@@ -9,7 +9,7 @@ use super::super::super::layout::{Item, Layout};
 use super::super::super::lexer::Space;
 use super::super::super::names;
 use super::super::super::rows::relation;
-use super::super::items::{contents, is_any_integral, is_number, is_numeric_item};
+use super::super::items::{contents, is_any_integral, is_number, is_numeric_item, parts};
 
 /// Small Greek letters that are coefficients before a name.
 const COEFFICIENTS: [&str; 10] =
@@ -25,6 +25,13 @@ pub(in super::super::super) fn note_marks(items: &[Item], inferred: &mut Inferre
     inferred.varies = found.varies;
     inferred.has_coefficient = found.is_factor && !found.varies;
     inferred.has_difference_alone = found.has_difference_alone;
+    inferred.has_partials = has_partials(items);
+}
+
+/// Whether ∂ stands anywhere in items.
+fn has_partials(items: &[Item]) -> bool {
+    let is_mark = |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\partial");
+    items.iter().any(|item| is_mark(item) || parts(item).into_iter().any(has_partials))
 }
 
 /// Whether δ before a letter is a factor in a display.

@@ -12,11 +12,13 @@
 //! | `integrals` | `\int`, `\oint`, differentials in the integrand |
 //! | `fields` | `\nabla` |
 //! | `marks` | δ and Δ before a letter: variations, differences and factors |
+//! | `neighbours` | factors that a person reads otherwise, which are refused |
 //! | `bars` | `\left. … \right|_{x=a}`, `(\partial S/\partial V)_T` |
 //!
 //! Offers methods of the reader, and `bar`. Knows the layout, the names and the state of the reader.
 
 pub(super) use bars::bar;
+pub(super) use neighbours::unclear_reach;
 pub(in super::super) use marks::has_coefficient;
 pub(in super::super) use marks::note_marks;
 
@@ -26,6 +28,7 @@ mod fields;
 mod functions;
 mod integrals;
 mod marks;
+mod neighbours;
 mod sums;
 
 use crate::formula::symbols::{Kind, Name, Operator};

@@ -1,0 +1,234 @@
+//! Neighbouring factors that a person reads otherwise where nothing is declared: `(f + g)(x)`, `h(t) * g(t)`, `x{2}`, `A \uparrow B`,
+//! `\frac1T [Hz]`. They are refused.
+
+use crate::source::Fault;
+
+use super::super::super::layout::{Delimiter, Item, Layout, typed};
+use super::super::super::names;
+use super::super::items::{contents, is_numeric};
+use super::super::state::{Read, Reader};
+
+/// Arrows that show a direction or a change, and are no factors.
+const ARROWS: [&str; 8] = [
+    "\\uparrow",
+    "\\downarrow",
+    "\\updownarrow",
+    "\\nearrow",
+    "\\searrow",
+    "\\nwarrow",
+    "\\swarrow",
+    "\\rightleftharpoons",
+];
+
+/// Units of several letters that nobody takes for a product.
+const UNITS: [&str; 16] =
+    ["eV", "keV", "MeV", "GeV", "TeV", "Hz", "kHz", "MHz", "GHz", "Pa", "kPa", "MPa", "mol", "rad", "dB", "rpm"];
+
+impl Reader<'_> {
+    /// Rejects the factor at a place beside the one before it.
+    pub(in super::super) fn is_a_clear_factor(&self, items: &[Item], at: usize) -> Read<()> {
+        let item = &items[at];
+        if is_convolution(items, at) {
+            return Err(Fault::ambiguous(item.span, "* between two functions of one variable may be a product or a convolution")
+                .help("for a product write \\cdot"));
+        }
+        if is_word_with_power(item) {
+            return Err(Fault::ambiguous(item.span, "this power may be that of the word or of its last letter")
+                .help("write letters as letters, m v^2, and the power of a word as (\\text{…})^2"));
+        }
+        if matches!(&item.layout, Layout::Command(name) if ARROWS.contains(&name.as_str())) {
+            return Err(Fault::unsupported(item.span, format!("the arrow {} is no factor", typed(&items[at..=at])))
+                .help("write it as an index, or leave it out"));
+        }
+        let Some(before) = items[..at].iter().rev().find(|item| !matches!(item.layout, Layout::Space(_))) else {
+            return Ok(());
+        };
+        let touches = !matches!(items[at - 1].layout, Layout::Space(_));
+        let span = before.span.to(item.span);
+        if touches && is_hatted_capital(before) && may_be_an_argument(item) {
+            return Err(Fault::ambiguous(span, "the parenthesis after this operator may hold its argument or a factor")
+                .help("for a product, put a thin space \\, before the parenthesis"));
+        }
+        if touches && is_functional(before) && has_comma_in_brackets(item) {
+            return Err(Fault::unsupported(span, "a functional of several functions is not supported")
+                .help("write it with its name alone"));
+        }
+        // `\int \mathcal{D}x\, e^{iS}`
+        let is_measure = |item: &Item| {
+            names::printed(item, None)
+                .is_some_and(|found| ["\\mathcal{D}", "\\mathscr{D}"].contains(&found.name.base.as_str()))
+        };
+        if touches && self.symbols.inferred.differentials && is_measure(before) && self.is_name(item) {
+            return Err(Fault::unsupported(span, "an integral over paths is not supported"));
+        }
+        if touches && is_operation(before) && self.is_lone_letter(item) {
+            return Err(Fault::ambiguous(
+                span,
+                "a letter in parentheses after parentheses may be the argument of a function or a factor",
+            )
+            .help("for a product, remove the parentheses around the letter"));
+        }
+        let is_pi = before.layout == Layout::Command("\\pi".to_owned());
+        if touches && is_pi && (self.is_lone_letter(item) || has_bar(item)) {
+            return Err(Fault::ambiguous(span, "π may be a function here, such as a density, or the number")
+                .help("for the number, remove the parentheses or write \\cdot"));
+        }
+        if touches && self.is_name(before) && is_number_in_braces(item) {
+            return Err(Fault::ambiguous(span, "a number after a symbol may be a subscript, a power or a factor")
+                .help("write x_2, x^2 or 2x"));
+        }
+        if items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_)))
+            && let Some(unit) = unit_in_brackets(item)
+        {
+            return Err(Fault::ambiguous(item.span, format!("[{unit}] may be a unit or a product"))
+                .help(format!("write \\text{{{unit}}} for the unit, or parentheses for a product")));
+        }
+        let run: String = items[at..].iter().map_while(letter).collect();
+        if matches!(before.layout, Layout::Number(_)) && UNITS.contains(&run.as_str()) {
+            return Err(Fault::ambiguous(item.span, format!("{run} may be a unit or a product"))
+                .help(format!("write \\text{{{run}}} for the unit, or \\cdot between the factors")));
+        }
+        Ok(())
+    }
+
+    fn is_name(&self, item: &Item) -> bool {
+        names::printed(item, self.branch).is_some_and(|found| found.sup.is_none())
+    }
+
+    /// Whether one letter stands in parentheses: `(x)`.
+    fn is_lone_letter(&self, item: &Item) -> bool {
+        let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+        matches!(inside.as_slice(), [only] if self.is_name(only))
+    }
+}
+
+/// Whether an item is a capital with a hat, an operator: `\hat R_z`.
+fn is_hatted_capital(item: &Item) -> bool {
+    names::printed(item, None).is_some_and(|found| {
+        let base = found.name.base.strip_prefix("\\hat{").or(found.name.base.strip_prefix("\\widehat{"));
+        found.sup.is_none() && base.is_some_and(|base| base.starts_with(|c: char| c.is_ascii_uppercase()))
+    })
+}
+
+/// Whether one term without an operator stands in a parenthesis, and no lone name: `(-\omega t)`, `(2\alpha)`, `(\pi/2)`.
+fn may_be_an_argument(item: &Item) -> bool {
+    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+    let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-' | ','));
+    let is_marked = |item: &Item| {
+        matches!(item.layout, Layout::Accent(..) | Layout::Style(..) | Layout::Fence(..))
+            || matches!(&item.layout, Layout::Scripts { nucleus, .. }
+                if matches!(nucleus.layout, Layout::Accent(..) | Layout::Style(..)))
+            || names::printed(item, None).is_some_and(|found| found.name.base.starts_with(char::is_uppercase))
+    };
+    inside.len() > 1 && !inside.iter().skip(1).any(is_sign) && !inside.iter().any(is_marked)
+}
+
+/// Whether a letter usually stands for a functional: `F[n, T]`.
+fn is_functional(item: &Item) -> bool {
+    let is_letter = |base: &str| ["f", "F", "S", "J", "G", "W", "I", "L", "\\Gamma"].contains(&base);
+    names::printed(item, None).is_some_and(|found| found.sup.is_none() && is_letter(&found.name.base))
+}
+
+fn has_comma_in_brackets(item: &Item) -> bool {
+    let Layout::Fence(Delimiter::Square, inside) = &item.layout else { return false };
+    inside.iter().any(|item| item.layout == Layout::Other(','))
+}
+
+/// The fault of a derivative before a product whose second factor it may not reach: `\frac{d}{dt} r \wedge p`,
+/// `\nabla \cdot \vec a \times \vec b`.
+pub(in super::super) fn unclear_reach(items: &[Item]) -> Option<Fault> {
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let is_command = |item: &Item, names: &[&str]| matches!(&item.layout, Layout::Command(name) if names.contains(&name.as_str()));
+    let (first, rest) = solid.split_first()?;
+    let sign = match rest.first() {
+        Some(dot) if is_command(first, &["\\nabla"]) && is_command(dot, &["\\cdot"]) => {
+            rest.iter().skip(1).find(|item| is_command(item, &["\\times", "\\wedge", "\\otimes"]))
+        }
+        _ if is_operator(first) => rest.iter().find(|item| is_command(item, &["\\wedge", "\\otimes"])),
+        _ => None,
+    }?;
+    Some(
+        Fault::ambiguous(sign.span, "the derivative may be one of the first factor or of the product")
+            .help("put what it acts on in parentheses"),
+    )
+}
+
+/// Whether an item is a derivative without what it acts on: `\frac{d}{dt}`.
+fn is_operator(item: &Item) -> bool {
+    let Layout::Fraction(above, below) = &item.layout else { return false };
+    let is_d = |item: &Item| {
+        item.layout == Layout::Letter('d') || matches!(&item.layout, Layout::Command(name) if name == "\\partial")
+    };
+    matches!(contents(above), [only] if is_d(only)) && contents(below).first().is_some_and(is_d)
+}
+
+/// Whether names stand in a parenthesis with a sign or side by side: `(f + g)`, `(Tf)`.
+fn is_operation(item: &Item) -> bool {
+    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+    let mut solid = inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    let is_named = |item: &Item| names::printed(item, None).is_some() || matches!(item.layout, Layout::Accent(..));
+    inside.len() > 1 && solid.clone().any(is_named) && !solid.any(is_numeric)
+}
+
+fn is_number_in_braces(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Group(inside)
+        if matches!(inside.as_slice(), [Item { layout: Layout::Number(_), .. }]))
+}
+
+/// Whether a bar divides what stands in parentheses: `(a|s)`.
+fn has_bar(item: &Item) -> bool {
+    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+    inside.iter().any(|item| item.layout == Layout::Other('|'))
+}
+
+fn letter(item: &Item) -> Option<char> {
+    match item.layout {
+        Layout::Letter(c) => Some(c),
+        _ => None,
+    }
+}
+
+/// The unit in square brackets: `[Hz]`, `[m/s]`.
+fn unit_in_brackets(item: &Item) -> Option<String> {
+    const SIMPLE: [&str; 12] = ["m", "s", "kg", "N", "J", "W", "K", "V", "A", "T", "cm", "mm"];
+    let Layout::Fence(Delimiter::Square, inside) = &item.layout else { return None };
+    let unit: String =
+        inside.iter().map(|item| letter(item).or((item.layout == Layout::Other('/')).then_some('/'))).collect::<Option<_>>()?;
+    let is_unit = |part: &str| UNITS.contains(&part) || SIMPLE.contains(&part);
+    (unit.len() > 1 && unit.split('/').all(is_unit)).then_some(unit)
+}
+
+/// Whether a `*` stands between two functions of one variable: `h(t) * x(t)`.
+fn is_convolution(items: &[Item], at: usize) -> bool {
+    let lone = |item: Option<&Item>| match item.map(|item| &item.layout) {
+        Some(Layout::Fence(Delimiter::Round, inside)) => match inside.as_slice() {
+            [only] => letter(only),
+            _ => None,
+        },
+        _ => None,
+    };
+    let is_space = |item: &&Item| matches!(item.layout, Layout::Space(_));
+    if items[at].layout != Layout::Other('*') {
+        return false;
+    }
+    let before = lone(items[..at].iter().rev().find(|item| !is_space(item)));
+    before.is_some() && before == lone(items[at + 1..].iter().filter(|item| !is_space(item)).nth(1))
+}
+
+/// Whether a word of a few upright letters has a power, `{\text{mv}}^2`: of the word, or of its last letter.
+fn is_word_with_power(item: &Item) -> bool {
+    let Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } = &item.layout else { return false };
+    let inner = match contents(nucleus) {
+        [only] => only,
+        _ => return false,
+    };
+    let word = match &inner.layout {
+        Layout::Text(word) => word.clone(),
+        Layout::Style(style, inner) if style == "\\mathrm" => contents(inner).iter().filter_map(letter).collect(),
+        _ => return false,
+    };
+    const FUNCTIONS: [&str; 12] =
+        ["sin", "cos", "tan", "cot", "sec", "exp", "log", "ln", "tr", "Tr", "det", "sgn"];
+    let is_short = (2..=3).contains(&word.len()) && word.chars().all(|c| c.is_ascii_alphabetic());
+    is_short && !FUNCTIONS.contains(&word.as_str()) && !UNITS.contains(&word.as_str()) && matches!(contents(sup), [Item { layout: Layout::Number(_), .. }])
+}
