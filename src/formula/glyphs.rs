@@ -161,7 +161,7 @@ fn alphabet(command: &str, inner: &str) -> Option<char> {
 }
 
 /// The commands that print one character, without the backslash.
-const LETTERS: [(&str, char); 129] = [
+const LETTERS: [(&str, char); 130] = [
     ("sum", 'Σ'),
     ("prod", 'Π'),
     ("int", '∫'),
@@ -286,6 +286,7 @@ const LETTERS: [(&str, char); 129] = [
     ("lesssim", '≲'),
     ("gtrsim", '≳'),
     ("iiint", '∭'),
+    ("oiint", '∯'),
     ("vert", '|'),
     ("Vert", '‖'),
     ("therefore", '∴'),

@@ -119,7 +119,7 @@ pub fn tokens(text: &str) -> Vec<Token> {
                     }
                     match &text[start + 1..end] {
                         "quad" | "qquad" => TokenKind::Space(Space::Wide),
-                        "thinspace" | "enspace" => thin(&tokens),
+                        "thinspace" | "enspace" | "space" => thin(&tokens),
                         "negthinspace" => continue,
                         "cr" | "newline" => TokenKind::Row,
                         name if IGNORED.contains(&name) => continue,

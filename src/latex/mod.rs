@@ -29,6 +29,7 @@ pub mod definitions;
 #[cfg(feature = "notes")]
 pub mod foreign;
 #[cfg(feature = "notes")]
+mod groups;
 mod inference;
 pub mod layout;
 pub mod lexer;

@@ -34,6 +34,7 @@ fn is_old(token: &Token) -> bool {
         "\\overset",
         "\\displaylines",
         "\\arg",
+        "\\require",
     ];
     forms.contains(&name.as_str()) || switch(name).is_some()
 }
@@ -90,6 +91,7 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
             Some((open, end)) => braced(tokens, at, (open, end), into),
             None => at + 1,
         },
+        "\\require" => argument(at + 1).map_or(at + 1, |(_, end)| end + 1),
         "\\arg" => argument_of_an_extremum(tokens, at, into),
         "\\stackrel" | "\\overset" => stacked(tokens, at, argument, into),
         // `9.8\,\rm m\,s^{-2}`, `\rm kg`: the unit reaches to the end, as TeX sets it.

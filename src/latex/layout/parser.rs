@@ -109,7 +109,10 @@ impl<'a> Parser<'a> {
             match item.layout {
                 Layout::Group(inside) if inside.is_empty() => {}
                 Layout::Group(mut inside)
-                    if matches!(inside.as_slice(), [Item { layout: Layout::Fence(Delimiter::Round, _) | Layout::Fraction(..), .. }]) =>
+                    if matches!(
+                        inside.as_slice(),
+                        [Item { layout: Layout::Fence(Delimiter::Round, _) | Layout::Fraction(..), .. }]
+                    ) =>
                 {
                     items.append(&mut inside);
                 }

@@ -94,6 +94,15 @@ impl Parser<'_> {
         if let Some(problem) = problem {
             return problem;
         }
+        // `v^{\prime 2}` is the square of v'.
+        if let Some(Item { layout: Layout::Group(above), .. }) = sup.as_deref_mut()
+            && let [Item { layout: Layout::Command(first), .. }, Item { layout: Layout::Number(_), .. }] =
+                above.as_slice()
+            && first == "\\prime"
+        {
+            above.remove(0);
+            primes = primes.saturating_add(1);
+        }
         // `x^{}`, as a macro without its optional argument writes it, sets nothing.
         if !is_nothing(&nucleus) {
             (sub, sup) = (sub.filter(|script| !is_nothing(script)), sup.filter(|script| !is_nothing(script)));

@@ -3,6 +3,7 @@
 use crate::code::Code;
 use crate::source::{Fault, Span};
 
+use super::super::groups::without_groups;
 use super::super::lexer::{Token, TokenKind, tokens};
 use super::super::macros::Macros;
 use super::super::normalize::normalized;
@@ -26,7 +27,8 @@ pub(crate) fn typeset_items(text: &str, macros: &Macros) -> Result<Vec<Item>, Fa
             .code(Code::TooLarge)
             .help("split it into several equations"));
     }
-    let tokens = with_plain_spaces(with_ellipses(macros.expand(without_delimiters(tokens(text)))?));
+    let tokens = macros.expand(without_delimiters(tokens(text)))?;
+    let tokens = without_groups(with_plain_spaces(with_ellipses(tokens)));
     let items = layout(&normalized(with_units(with_commands(with_plain_marks(without_boxes(tokens))))), text.len());
     Ok(with_rests(macros.values.named(items)))
 }

@@ -234,7 +234,7 @@ pub(crate) fn is_operator(item: &Item) -> bool {
         _ => item,
     };
     matches!(&nucleus.layout, Layout::Command(name)
-        if ["\\sum", "\\prod", "\\int", "\\iint", "\\iiint", "\\oint", "\\lim"].contains(&name.as_str()))
+        if ["\\sum", "\\prod", "\\int", "\\iint", "\\iiint", "\\oint", "\\oiint", "\\lim"].contains(&name.as_str()))
 }
 
 /// Whether an item is a sign of an integral.

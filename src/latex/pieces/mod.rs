@@ -44,8 +44,9 @@ pub(super) fn pieces(items: &[Item], is_abstract: bool) -> Vec<Piece<'_>> {
     match is_abstract {
         true => {
             join_lists(&mut pieces);
-            for piece in pieces.iter_mut().filter(|piece| piece.fault.is_none()) {
-                piece.fault = unclear_members::unclear_member(piece);
+            let faults: Vec<_> = (0..pieces.len()).map(|at| unclear_members::unclear_member(&pieces, at)).collect();
+            for (piece, fault) in pieces.iter_mut().zip(faults) {
+                piece.fault = piece.fault.take().or(fault);
             }
         }
         false => reject_lone_values(&mut pieces),

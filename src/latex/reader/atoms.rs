@@ -468,8 +468,10 @@ fn unread(item: &Item, has_claims: bool) -> Fault {
         Layout::Style(name, _) | Layout::Accent(name, _) => {
             Fault::unsupported(span, format!("{name} is not supported here"))
         }
-        Layout::Text(word) if ["or", "oder", "ou"].contains(&word.as_str()) => Fault::unsupported(span, format!("“{word}” between formulas is not supported"))
-            .help("write each case as an equation of its own"),
+        Layout::Text(word) if ["or", "oder", "ou"].contains(&word.as_str()) => {
+            Fault::unsupported(span, format!("“{word}” between formulas is not supported"))
+                .help("write each case as an equation of its own")
+        }
         Layout::Text(word) => Fault::unsupported(span, format!("the text “{word}” is not supported here")),
         Layout::Other(',') => Fault::unsupported(span, "a comma is not supported here")
             .help("write an equation for each value; write numbers as 1000 and 1.5"),

@@ -10,7 +10,8 @@ use super::super::lexer::Space;
 use super::super::names::{self, Printed};
 use super::algebra::operator_word;
 use super::items::{
-    Joint, area_function, function_head, head_word, is_number, is_numeric, is_numeric_item, joint, reciprocal,
+    Joint, area_function, differential, function_head, head_word, is_number, is_numeric, is_numeric_item, joint,
+    reciprocal,
 };
 use super::state::{Read, Reader};
 
@@ -170,6 +171,10 @@ impl Reader<'_> {
                 continue;
             }
             let Some(mut printed) = names::printed(item, self.branch) else { break };
+            // `\sin\theta\,\mathrm d\phi`: no argument ends with a differential.
+            if !run.symbols.is_empty() && self.starts_a_differential(items, run.end) {
+                break;
+            }
             // `\cos\theta\,\mathbf{e}_x`: no argument has a vector as its last factor.
             let dot_follows = || items.get(run.end + 1).and_then(joint).is_some();
             if !run.symbols.is_empty() && is_direction(&printed.name) && !dot_follows() {
@@ -221,6 +226,17 @@ impl Reader<'_> {
             run.stands_alone = true;
         }
         Ok(run)
+    }
+
+    /// Whether a differential begins here: an upright d before a name, or an italic one where d is no factor.
+    fn starts_a_differential(&self, items: &[Item], at: usize) -> bool {
+        let is_d = |item: &Item| {
+            let is_upright = matches!(item.layout, Layout::Style(..));
+            differential(item) == Some(1)
+                && (is_upright || self.symbols.infers() && !self.symbols.inferred.has_factor_d)
+        };
+        let is_named = |item: &Item| names::printed(item, self.branch).is_some();
+        items.get(at).is_some_and(is_d) && items.get(at + 1).is_some_and(is_named)
     }
 
     /// The symbol that Δ and the letter after it are, where Δ is no quantity of its own.

@@ -140,7 +140,7 @@ pub(super) fn is_big_product(item: &Item) -> bool {
 
 /// An integral of any dimension, with or without limits.
 pub(super) fn is_any_integral(item: &Item) -> bool {
-    ["\\int", "\\oint", "\\iint", "\\iiint"].iter().any(|sign| is_big(item, sign))
+    ["\\int", "\\oint", "\\iint", "\\iiint", "\\oiint"].iter().any(|sign| is_big(item, sign))
 }
 
 /// `\int`, with or without limits.

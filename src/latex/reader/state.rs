@@ -60,7 +60,7 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
                 .help("write \\ln x, or \\frac{\\ln x}{\\ln 10}")
         }
         "\\pm" | "\\mp" => Fault::new(span, "± must stand where + or − can stand"),
-        "\\partial" | "\\nabla" | "\\prod" | "\\iint" | "\\iiint" | "\\oint" => not_supported(name),
+        "\\partial" | "\\nabla" | "\\prod" | "\\iint" | "\\iiint" | "\\oint" | "\\oiint" => not_supported(name),
         "\\forall" | "\\exists" | "\\subset" | "\\subseteq" | "\\supset" | "\\cap" | "\\emptyset" => {
             not_supported(name)
         }

@@ -131,3 +131,130 @@ fn long_chains_of_functions_are_refused() {
         are_refused(&[chain(name).as_str()]);
     }
 }
+
+#[test]
+fn parentheses_after_parentheses_may_hold_an_argument() {
+    are_refused(&[
+        "(Tf)(x) = a",
+        "(f + g)(t) = a",
+        "(f * g)(t) = h",
+        "(\\mathcal L_v f)(p) = a",
+        "(\\hat A\\psi)(x) = a",
+    ]);
+    are_read(&[
+        ("(a + b)(c + d) = e", "(a + b)·(c + d) = e"),
+        ("(a + b)x = e", "(a + b)·x = e"),
+        ("(2)(x) = e", "2·x = e"),
+        ("(-r \\sin\\theta)(B') = e", "(−r·sin(θ))·B' = e"),
+    ]);
+    are_refused(&["y = h(t) * x(t)"]);
+    are_read(&[("y = a * b", "y = a·b")]);
+}
+
+#[test]
+fn an_operator_with_a_hat_may_have_an_argument() {
+    are_refused(&["\\hat R_z(-\\omega t) = a", "\\pi(x) = a", "p = \\pi(a|s)"]);
+    are_refused(&["z = f[u, v]", "z = F[n(r), T]"]);
+    are_read(&[
+        ("\\hat U(-t) = a", "U\u{302}(−t) = a"),
+        ("\\hat r(a + b) = \\vec c", "r\u{302}·(a + b) = c\u{20d7}"),
+        ("A = 2\\pi(r + h)", "A = 2·π·(r + h)"),
+        ("[A, B] = C", "[A, B] = C"),
+    ]);
+}
+
+#[test]
+fn a_derivative_with_d_beside_partial_ones_is_total() {
+    for formula in [
+        "\\frac{df}{dx} = \\frac{\\partial f}{\\partial x} + \\frac{\\partial f}{\\partial y}\\frac{dy}{dx}",
+        "\\frac{d}{dx}\\frac{\\partial F}{\\partial y'} = 0",
+    ] {
+        assert!(read(formula).starts_with("d/dx("), "{}", read(formula));
+    }
+    are_read(&[("\\frac{dy}{dx} = a y", "∂y/∂x = a·y")]);
+    are_refused(&["\\frac{d}{dt} r \\wedge p = 0", "\\nabla\\cdot\\vec a\\times\\vec b = c"]);
+    are_read(&[("{\\frac{d}{dt}}(mv) = F", "d/dt(m·v) = F")]);
+}
+
+#[test]
+fn what_places_an_environment_or_a_row_is_no_factor() {
+    for formula in [
+        "\\begin{aligned}[t] a &= b \\end{aligned}",
+        "\\begin{array}[t]{l} a = b \\end{array}",
+        "\\begin{alignedat}[t]{2} a &= b \\end{alignedat}",
+    ] {
+        are_read(&[(formula, "a = b")]);
+    }
+    are_read(&[
+        ("\\begin{aligned} a &= b \\\\ [1em] c &= f \\end{aligned}", "a = b ¦ c = f"),
+        ("\\begin{aligned} a &= b \\\\ & \\ \\ \\ \\ + c = f \\end{aligned}", "a = b + c = f"),
+        ("\\begin{aligned} a &= b \\\\ [x] &= f \\end{aligned}", "a = b ¦ [x] = f"),
+    ]);
+}
+
+#[test]
+fn words_conditions_and_numbers_of_equations_are_no_statements() {
+    are_read(&[
+        ("a = b \\quad\\text{ou}\\quad c = f", "a = b ou c = f"),
+        ("a = b \\quad (x \\to 0)", "a = b for (x→0)"),
+        ("a = b \\quad (t \\ll \\tau)", "a = b for (t≪τ)"),
+        ("a = b \\text{ as } r \\to \\infty", "a = b as r→∞"),
+        ("a = b \\quad\\to\\quad c = f", "a = b ¦ c = f"),
+        ("a = b \\; (\\text{general})", "a = b"),
+        ("L = 5\\text{ Dynes}", "L = 5·Dynes"),
+    ]);
+    for number in ["(7-47)", "(2.3-1)", "(A-1)", "[12]", "(1a)", "(15)"] {
+        are_read(&[(&format!("a = b \\qquad {number}"), "a = b")]);
+    }
+    are_refused(&["a = b \\quad\\xrightarrow{c = f}\\quad a = f", "a = b \\; (15)", "A \\overset{k}{\\rightarrow} B"]);
+}
+
+#[test]
+fn words_with_powers_and_short_forms_are_no_products() {
+    are_refused(&[
+        "K = {\\text{mv}}^2",
+        "E = \\text{mc}^2",
+        "a = HHV",
+        "ESS = a",
+        "VSWR = a",
+        "f = \\frac1T [Hz]",
+        "E = 5 eV",
+    ]);
+    are_read(&[("p V = nRT", "p·V = n·R·T"), ("F = 2mg", "F = 2·m·g"), ("m m_1 = a", "m·m_1 = a")]);
+    are_refused(&[
+        "{\\mu\\pi}_K = a",
+        "x{2} = a",
+        "\\Delta{2} = a",
+        "s = \\uparrow\\downarrow a",
+        "F = dk",
+        "T = -:\\phi X:",
+    ]);
+    are_read(&[("u = x^2, \\quad du = 2x dx", "u = x^2 ¦ du = 2·x·dx"), ("dE = T dS", "dE = T·dS")]);
+    are_refused(&["[\\mu\\nu, \\kappa] = a", "Z = \\int\\mathcal{D}x\\,e^{iS}", "Z = \\int\\prod_i dx_i e^{-S}"]);
+}
+
+#[test]
+fn steps_and_marks_in_parentheses() {
+    are_refused(&["x^{n+1} = f(x^n)", "k_2 = f(t^{n+1/2}, y^n)", "p^{n+1} - p^n = q", "a = x^{(1/2)}", "a = x^{(-1)}"]);
+    are_read(&[
+        ("a = 2^{(n-1)}", "a = 2^(n − 1)"),
+        ("a = (b + c)^{(n-1)}", "a = (b + c)^(n − 1)"),
+        ("a = \\frac{x^{n+1} - x^n}{n}", "a = (x^(n + 1) − x^(n))/n"),
+    ]);
+    let found = statements_of("\\phi_{j+\\frac12}^{n+\\frac12} = \\phi_j^n + a").unwrap_or_default();
+    assert!(!found.contains("^("), "{found}");
+}
+
+#[test]
+fn digits_in_threes_and_delimiters_in_braces() {
+    are_read(&[
+        ("a = \\sqrt{10\\,472}", "a = √(10472)"),
+        ("a = 2,510.8", "a = 2510.8"),
+        ("a = b {\\bigl (} n + 1 {\\bigr )}", "a = b·(n + 1)"),
+        ("u = \\arg\\max_x f", "u = argmax_{x}(f)"),
+        ("\\require{physics} a = b", "a = b"),
+        ("a = b\\space c", "a = b·c"),
+        ("ds = r\\sin\\theta\\,\\mathrm d\\phi", "ds = r·sin(θ)·dφ"),
+    ]);
+    are_refused(&["a = 3 0", "a = 1,000", "a = 10\\,47"]);
+}

@@ -124,9 +124,8 @@ fn is_bar(item: &Item) -> bool {
 
 /// Whether two usual indices stand side by side before a comma and a third after it: `[\mu\nu, \kappa]`.
 fn are_indices(inside: &[Item]) -> bool {
-    const INDICES: [&str; 14] = [
-        "i", "j", "k", "l", "m", "n", "\\mu", "\\nu", "\\kappa", "\\lambda", "\\rho", "\\sigma", "\\iota", "\\alpha",
-    ];
+    const INDICES: [&str; 14] =
+        ["i", "j", "k", "l", "m", "n", "\\mu", "\\nu", "\\kappa", "\\lambda", "\\rho", "\\sigma", "\\iota", "\\alpha"];
     let is_index = |item: &Item| {
         names::printed(item, None).is_some_and(|found| {
             found.sup.is_none() && found.name.subscript.is_empty() && INDICES.contains(&found.name.base.as_str())

@@ -136,7 +136,8 @@ fn is_word(sup: &Item) -> bool {
 /// Whether a fraction of numbers or a negative number stands in the parentheses of a superscript: `x^{(1/2)}`, `x^{(-1)}`.
 fn may_be_an_exponent(above: &[Item]) -> bool {
     let [Item { layout: Layout::Fence(Delimiter::Round, inside), .. }] = above else { return false };
-    let is_number = |item: &Item| matches!(item.layout, Layout::Number(_) | Layout::Other('-' | '/') | Layout::Fraction(..));
+    let is_number =
+        |item: &Item| matches!(item.layout, Layout::Number(_) | Layout::Other('-' | '/') | Layout::Fraction(..));
     inside.len() > 1 && inside.iter().all(is_number)
 }
 

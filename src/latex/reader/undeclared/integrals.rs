@@ -72,8 +72,9 @@ impl Reader<'_> {
                 if last.is_some_and(is_open) {
                     // `\int \prod_i dx_i\, e^{-S}`: the product of the differentials ends before the integrand.
                     if last.is_some_and(is_big_product) && !blank(&rest[end..]) {
-                        return Err(Fault::ambiguous(whole, "the product of the differentials may go on")
-                            .help("write the product of the differentials in parentheses, or put the integrand before it"));
+                        return Err(Fault::ambiguous(whole, "the product of the differentials may go on").help(
+                            "write the product of the differentials in parentheses, or put the integrand before it",
+                        ));
                     }
                     return self.term(&rest[..end]);
                 }

@@ -18,9 +18,9 @@
 //! Offers methods of the reader, and `bar`. Knows the layout, the names and the state of the reader.
 
 pub(super) use bars::bar;
-pub(super) use neighbours::unclear_reach;
 pub(in super::super) use marks::has_coefficient;
 pub(in super::super) use marks::note_marks;
+pub(super) use neighbours::unclear_reach;
 
 mod bars;
 pub(in super::super) mod coefficient_d;

@@ -5,7 +5,7 @@ use crate::source::Fault;
 
 use super::super::super::layout::{Delimiter, Item, Layout, typed};
 use super::super::super::names;
-use super::super::items::{contents, is_numeric};
+use super::super::items::contents;
 use super::super::state::{Read, Reader};
 
 /// Arrows that show a direction or a change, and are no factors.
@@ -29,8 +29,11 @@ impl Reader<'_> {
     pub(in super::super) fn is_a_clear_factor(&self, items: &[Item], at: usize) -> Read<()> {
         let item = &items[at];
         if is_convolution(items, at) {
-            return Err(Fault::ambiguous(item.span, "* between two functions of one variable may be a product or a convolution")
-                .help("for a product write \\cdot"));
+            return Err(Fault::ambiguous(
+                item.span,
+                "* between two functions of one variable may be a product or a convolution",
+            )
+            .help("for a product write \\cdot"));
         }
         if is_word_with_power(item) {
             return Err(Fault::ambiguous(item.span, "this power may be that of the word or of its last letter")
@@ -46,8 +49,11 @@ impl Reader<'_> {
         let touches = !matches!(items[at - 1].layout, Layout::Space(_));
         let span = before.span.to(item.span);
         if touches && is_hatted_capital(before) && may_be_an_argument(item) {
-            return Err(Fault::ambiguous(span, "the parenthesis after this operator may hold its argument or a factor")
-                .help("for a product, put a thin space \\, before the parenthesis"));
+            return Err(Fault::ambiguous(
+                span,
+                "the parenthesis after this operator may hold its argument or a factor",
+            )
+            .help("for a product, put a thin space \\, before the parenthesis"));
         }
         if touches && is_functional(before) && has_comma_in_brackets(item) {
             return Err(Fault::unsupported(span, "a functional of several functions is not supported")
@@ -98,7 +104,8 @@ impl Reader<'_> {
     /// Whether one letter stands in parentheses: `(x)`.
     fn is_lone_letter(&self, item: &Item) -> bool {
         let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
-        matches!(inside.as_slice(), [only] if self.is_name(only))
+        matches!(inside.as_slice(), [only]
+            if names::printed(only, self.branch).is_some_and(|found| found.sup.is_none() && found.name.primes == 0))
     }
 }
 
@@ -138,7 +145,8 @@ fn has_comma_in_brackets(item: &Item) -> bool {
 /// `\nabla \cdot \vec a \times \vec b`.
 pub(in super::super) fn unclear_reach(items: &[Item]) -> Option<Fault> {
     let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
-    let is_command = |item: &Item, names: &[&str]| matches!(&item.layout, Layout::Command(name) if names.contains(&name.as_str()));
+    let is_command =
+        |item: &Item, names: &[&str]| matches!(&item.layout, Layout::Command(name) if names.contains(&name.as_str()));
     let (first, rest) = solid.split_first()?;
     let sign = match rest.first() {
         Some(dot) if is_command(first, &["\\nabla"]) && is_command(dot, &["\\cdot"]) => {
@@ -167,7 +175,8 @@ fn is_operation(item: &Item) -> bool {
     let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
     let mut solid = inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
     let is_named = |item: &Item| names::printed(item, None).is_some() || matches!(item.layout, Layout::Accent(..));
-    inside.len() > 1 && solid.clone().any(is_named) && !solid.any(is_numeric)
+    let is_part = |item: &Item| is_named(item) || matches!(item.layout, Layout::Other('+' | '-' | '*'));
+    inside.len() > 1 && inside.first().is_some_and(is_named) && solid.all(is_part)
 }
 
 fn is_number_in_braces(item: &Item) -> bool {
@@ -192,8 +201,10 @@ fn letter(item: &Item) -> Option<char> {
 fn unit_in_brackets(item: &Item) -> Option<String> {
     const SIMPLE: [&str; 12] = ["m", "s", "kg", "N", "J", "W", "K", "V", "A", "T", "cm", "mm"];
     let Layout::Fence(Delimiter::Square, inside) = &item.layout else { return None };
-    let unit: String =
-        inside.iter().map(|item| letter(item).or((item.layout == Layout::Other('/')).then_some('/'))).collect::<Option<_>>()?;
+    let unit: String = inside
+        .iter()
+        .map(|item| letter(item).or((item.layout == Layout::Other('/')).then_some('/')))
+        .collect::<Option<_>>()?;
     let is_unit = |part: &str| UNITS.contains(&part) || SIMPLE.contains(&part);
     (unit.len() > 1 && unit.split('/').all(is_unit)).then_some(unit)
 }
@@ -227,8 +238,10 @@ fn is_word_with_power(item: &Item) -> bool {
         Layout::Style(style, inner) if style == "\\mathrm" => contents(inner).iter().filter_map(letter).collect(),
         _ => return false,
     };
-    const FUNCTIONS: [&str; 12] =
-        ["sin", "cos", "tan", "cot", "sec", "exp", "log", "ln", "tr", "Tr", "det", "sgn"];
+    const FUNCTIONS: [&str; 12] = ["sin", "cos", "tan", "cot", "sec", "exp", "log", "ln", "tr", "Tr", "det", "sgn"];
     let is_short = (2..=3).contains(&word.len()) && word.chars().all(|c| c.is_ascii_alphabetic());
-    is_short && !FUNCTIONS.contains(&word.as_str()) && !UNITS.contains(&word.as_str()) && matches!(contents(sup), [Item { layout: Layout::Number(_), .. }])
+    is_short
+        && !FUNCTIONS.contains(&word.as_str())
+        && !UNITS.contains(&word.as_str())
+        && matches!(contents(sup), [Item { layout: Layout::Number(_), .. }])
 }
