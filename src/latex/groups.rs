@@ -23,7 +23,7 @@ pub(super) fn without_groups(tokens: Vec<Token>) -> Vec<Token> {
 }
 
 fn is_digit(token: Option<&Token>) -> bool {
-    token.is_some_and(|token| matches!(token.kind, TokenKind::Digit(_)))
+    token.is_some_and(|token| matches!(token.kind, TokenKind::Digit('0'..='9')))
 }
 
 /// Whether a thin space stands between groups of digits, as in `10\,472`, or a comma as in `2,510.8`.
@@ -36,7 +36,7 @@ fn divides_thousands(tokens: &[Token], at: usize) -> bool {
     // Digits directly after a decimal point or a script are no thousands.
     let first = at - before;
     let starts = first.checked_sub(1).is_none_or(|before| {
-        !matches!(tokens[before].kind, TokenKind::Sub | TokenKind::Super | TokenKind::Other('.'))
+        !matches!(tokens[before].kind, TokenKind::Sub | TokenKind::Super | TokenKind::Digit(_))
             && !matches!(tokens[before].kind, TokenKind::Space(_) if before > 0 && is_digit(tokens.get(before - 1)))
     });
     match tokens[at].kind {
@@ -44,8 +44,7 @@ fn divides_thousands(tokens: &[Token], at: usize) -> bool {
         TokenKind::Other(',') => {
             let touches =
                 tokens[at - 1].span.end == tokens[at].span.start && tokens[at].span.end == tokens[at + 1].span.start;
-            let has_point = tokens.get(at + 4).is_some_and(|token| token.kind == TokenKind::Other('.'));
-            starts && touches && has_point && is_digit(tokens.get(at + 5))
+            starts && touches && tokens.get(at + 4).is_some_and(|token| token.kind == TokenKind::Digit('.'))
         }
         _ => false,
     }
