@@ -97,7 +97,7 @@ pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Re
     }
     let span = a.0.span.to(b.0.span);
     if of_sum(a.1.shape, b.1.shape).is_none() && !symbols.is_abstract() {
-        let message = format!("{} cannot be compared with {}", a.1.shape.noun(), b.1.shape.noun());
+        let message = format!("the left side is {}, and the right side is {}", a.1.shape.noun(), b.1.shape.noun());
         return Err(Fault::shape(span, message));
     }
     let lacks = |one: &Type, other: &Type| one.free.iter().any(|letter| !other.free.contains(letter));

@@ -284,7 +284,11 @@ impl Evidence {
         }
         let Some((delimiter, inside)) = next.and_then(fence) else { return };
         let is_usual = ["f", "G", "u", "\\psi", "\\Psi", "\\Omega"].contains(&name.base.as_str());
-        if delimiter == Delimiter::Round {
+        // `V_m(1 - t)`: what has an index is a value there, and no function of a number.
+        let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
+        let is_number = |item: &Item| matches!(item.layout, Layout::Number(_));
+        let is_value = !name.subscript.is_empty() && inside.iter().any(is_number) && inside.iter().any(is_sign);
+        if delimiter == Delimiter::Round && !is_value {
             let inside =
                 inside.iter().filter_map(|item| names::printed(item, None)).map(|found| found.name.to_string());
             self.possible.push((name.clone(), is_usual, inside.collect()));

@@ -220,7 +220,10 @@ fn check_in(
                     ..context.finding(
                         Code::LimitNotReached,
                         Verdict::Refuted,
-                        "the two sides do not approach each other in this limit",
+                        format!(
+                            "the two sides do not approach each other in the limit of {}",
+                            context.model.name(variable)
+                        ),
                     )
                 });
             }

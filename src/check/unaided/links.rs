@@ -111,10 +111,7 @@ pub(super) fn merged(found: &mut [Equation], first: usize, apart: &Apart, links:
         else {
             continue;
         };
-        let named = format!("({})", equality.id);
-        for equation in found.iter_mut().filter(|equation| equation.finding.message.contains(&named)) {
-            equation.finding.message = equation.finding.message.replace(&named, &format!("({chain})"));
-        }
+        found.iter_mut().for_each(|equation| equation.rename_in_words(&equality.id, &chain));
     }
     for (place, chain) in found.iter_mut().enumerate() {
         let own = apart.links.iter().zip(links).filter(|(link, _)| link.chain == first + place);
@@ -133,6 +130,10 @@ pub(super) fn merged(found: &mut [Equation], first: usize, apart: &Apart, links:
                 ok: false,
                 ..chain.clone()
             };
+            let own = chain.id.clone();
+            apart.links.iter().zip(links).filter(|(link, _)| link.chain == first + place).for_each(|(_, equality)| {
+                chain.rename_in_words(&equality.id, &own);
+            });
         } else if chain.finding.verdict == Verdict::Assumed {
             let holds = |link: &&Equation| matches!(link.finding.verdict, Verdict::Certified | Verdict::Verified);
             let open: Vec<String> =

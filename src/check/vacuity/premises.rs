@@ -72,6 +72,16 @@ pub fn combination(link: &Link, context: &Context<'_>) -> Result<Option<String>>
             format!("{factor}the Euler–Lagrange equation of {name}")
         })
         .collect();
+    // The sum of the equations of all coordinates is said as one.
+    let all_once = fit.iter().all(|coefficient| (coefficient - 1.0).abs() <= 1e-9) && fit.len() > 1;
+    let terms = match all_once {
+        true => {
+            let names: Vec<String> =
+                coordinates.iter().map(|variable| text::plain(&context.model.name(variable.symbol))).collect();
+            vec![format!("the sum of the Euler–Lagrange equations of {}", names.join(", "))]
+        }
+        false => terms,
+    };
     let rational = fit.iter().all(|c| (c * 60.0 - (c * 60.0).round()).abs() < 1e-7);
     Ok((exact && rational && !terms.is_empty()).then(|| terms.join(" + ")))
 }

@@ -89,6 +89,18 @@ pub struct Report {
 }
 
 impl Equation {
+    /// Speaks of another equation by another name: of an equality by that of its chain.
+    pub(crate) fn rename_in_words(&mut self, from: &str, to: &str) {
+        let rename = |finding: &mut Finding| {
+            finding.message = finding.message.replace(&format!("({from})"), &format!("({to})"));
+        };
+        rename(&mut self.finding);
+        self.parts.iter_mut().for_each(|part| rename(&mut part.finding));
+        let shared = self.repairs.iter_mut().filter_map(|repair| repair.shared.as_mut());
+        let names = shared.flat_map(|shared| std::iter::once(&mut shared.of).chain(&mut shared.mends));
+        names.chain(&mut self.elsewhere).filter(|name| *name == from).for_each(|name| to.clone_into(name));
+    }
+
     /// The equation with one proposal: where edits of the text are suggested, the message names no mutant, which may be
     /// another change.
     pub(crate) fn with_one_proposal(mut self) -> Equation {

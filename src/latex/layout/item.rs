@@ -133,6 +133,10 @@ pub(super) fn letters(item: &Item) -> String {
         Layout::Command(name) => name.clone(),
         Layout::Text(text) => text.clone(),
         Layout::Unit(units) => units.plain.iter().map(letters).collect(),
+        // `\text{Newton's law}`
+        Layout::Scripts { nucleus, sub: None, sup: None, primes } => {
+            letters(nucleus) + &"'".repeat(usize::from(*primes))
+        }
         _ => String::new(),
     }
 }
@@ -181,4 +185,20 @@ pub(super) fn letters_and_spaces(items: &[Item]) -> String {
         _ => None,
     };
     items.iter().map(one).collect::<Option<String>>().unwrap_or_default()
+}
+
+/// Whether braces set nothing: around nothing, a parenthesis, `\theta{\left(t \right)}`, a fraction, `{\frac{d}{dt}}(mv)`, or a sign,
+/// `a{\times}b`.
+pub(super) fn prints_alone(items: &[Item]) -> bool {
+    const SIGNS: [&str; 8] = ["\\times", "\\cdot", "\\pm", "\\mp", "\\approx", "\\equiv", "\\leq", "\\geq"];
+    match items {
+        [] => true,
+        [Item { layout, .. }] => match layout {
+            Layout::Fence(Delimiter::Round, _) | Layout::Fraction(..) => true,
+            Layout::Other(c) => "=<>".contains(*c),
+            Layout::Command(name) => SIGNS.contains(&name.as_str()),
+            _ => false,
+        },
+        _ => false,
+    }
 }

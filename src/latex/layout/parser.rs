@@ -9,7 +9,7 @@ use crate::source::{Fault, Span};
 use super::super::lexer::{Space, Token, TokenKind};
 use super::angles::{bars_before_angle, bra_length, is_lone_bar};
 use super::delimiters::{closing, glyph, is_plain_bar, unclosed, unopened, without_argument};
-use super::item::{Delimiter, Item, Layout, has_equals, is_derivative_mark, letters, letters_and_spaces};
+use super::item::{Delimiter, Item, Layout, has_equals, is_derivative_mark, letters, letters_and_spaces, prints_alone};
 use super::units;
 
 /// The most levels of groups inside groups; equations in notes have far fewer.
@@ -104,18 +104,8 @@ impl<'a> Parser<'a> {
                 continue;
             }
             let item = self.scripted(false);
-            // `{}` sets nothing, and neither do braces around a parenthesis, `\theta{\left(t \right)}`, or a fraction,
-            // `{\frac{d}{dt}}(mv)`.
             match item.layout {
-                Layout::Group(inside) if inside.is_empty() => {}
-                Layout::Group(mut inside)
-                    if matches!(
-                        inside.as_slice(),
-                        [Item { layout: Layout::Fence(Delimiter::Round, _) | Layout::Fraction(..), .. }]
-                    ) =>
-                {
-                    items.append(&mut inside);
-                }
+                Layout::Group(mut inside) if prints_alone(&inside) => items.append(&mut inside),
                 layout => items.push(Item { layout, span: item.span }),
             }
         }

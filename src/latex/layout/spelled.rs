@@ -1,7 +1,8 @@
 //! Functions without a backslash before a parenthesis, where the letters can be no product: `cos(\phi)`, `mgl\,sin(\theta)`.
 //!
 //! Nobody multiplies c, o and s. `asin(x)` may be the arcsine or a product, and stays as it is; so does `sin x`, whose argument
-//! nothing encloses. `log` is taken for the function wherever it stands alone. Units in italic letters are here too.
+//! nothing encloses. `log` is taken for the function wherever it stands alone. Units in italic letters, and names of several letters,
+//! are here too.
 
 use super::super::lexer::{Space, Token, TokenKind};
 use crate::formula::units;
@@ -156,4 +157,88 @@ fn begins_argument(token: &Token) -> bool {
         TokenKind::Command(name) => ["\\frac", "\\left", "\\dfrac", "\\tfrac"].contains(&name.as_str()),
         _ => false,
     }
+}
+
+/// Names of several letters that are products nowhere: energies, and numbers without a unit.
+const NAMES: [&str; 22] = [
+    "KE", "PE", "GPE", "EPE", "Re", "Nu", "Fr", "Gr", "Ra", "Pr", "Bi", "Sh", "Ma", "COP", "NTU", "SNR", "RMS", "EMF",
+    "MSE", "RMSE", "LHV", "HHV",
+];
+
+/// The same tokens, where such letters are one upright name, if they are a term of their own anywhere: `Re = \rho v D/\mu`.
+pub(super) fn with_names(tokens: Vec<Token>) -> Vec<Token> {
+    let spots: Vec<(usize, String)> = (0..tokens.len()).filter_map(|at| Some((at, name_at(&tokens, at)?))).collect();
+    // Nobody writes a product of three capitals as a left side; beside such a name other runs of capitals are names too.
+    let has_short_form =
+        spots.iter().any(|(at, name)| !NAMES.contains(&name.as_str()) && is_left_side(&tokens, *at, name.len()));
+    let is_sure = |name: &String| {
+        let is_one = |(at, other): &(usize, String)| other == name && is_term(&tokens, *at, name.len());
+        (NAMES.contains(&name.as_str()) || has_short_form) && spots.iter().any(is_one)
+    };
+    let mut found = tokens.clone();
+    for (at, name) in spots.iter().rev().filter(|(_, name)| is_sure(name)) {
+        let (start, end) = (*at, at + name.len());
+        let token = |kind: TokenKind, place: usize| Token { kind, span: tokens[place].span };
+        found.insert(end, token(TokenKind::Close, end - 1));
+        let style = token(TokenKind::Command("\\mathrm".to_owned()), start);
+        found.splice(start..start, [style, token(TokenKind::Open, start)]);
+    }
+    found
+}
+
+/// The name that begins here, if it is a whole run of letters, and in no `\text{…}`.
+fn name_at(tokens: &[Token], at: usize) -> Option<String> {
+    let touches = |before: usize| tokens[before].span.end == tokens[at].span.start;
+    let is_inside = at.checked_sub(1).is_some_and(|before| match tokens[before].kind {
+        TokenKind::Letter(_) => touches(before),
+        // In braces it may be the argument of a command or a script.
+        TokenKind::Sub | TokenKind::Super | TokenKind::Open | TokenKind::Command(_) => true,
+        _ => false,
+    });
+    let length = if is_inside { 0 } else { run(&tokens[at..]) };
+    let word: String = tokens[at..at + length].iter().filter_map(letter).collect();
+    let is_short_form = word.len() > 2 && word.chars().all(|c| c.is_ascii_uppercase());
+    (is_short_form || NAMES.contains(&word.as_str())).then_some(word)
+}
+
+/// Whether a run is the first side of an equation: at the beginning, or of a row.
+fn is_left_side(tokens: &[Token], at: usize, length: usize) -> bool {
+    let begins = at.checked_sub(1).is_none_or(|before| matches!(tokens[before].kind, TokenKind::Row));
+    let after =
+        tokens[at + length..].iter().find(|token| !matches!(token.kind, TokenKind::Space(_) | TokenKind::Align));
+    begins && after.is_some_and(|token| token.kind == TokenKind::Other('='))
+}
+
+/// Whether a run is a term: a sign or nothing stands before it, and after it and its scripts.
+fn is_term(tokens: &[Token], at: usize, length: usize) -> bool {
+    let bounds = |token: &Token| match &token.kind {
+        TokenKind::Other(c) => "=+-<>".contains(*c),
+        TokenKind::Row | TokenKind::Align | TokenKind::Space(Space::Wide) => true,
+        TokenKind::Command(name) => ["\\approx", "\\leq", "\\geq", "\\equiv", "\\propto"].contains(&name.as_str()),
+        _ => false,
+    };
+    let is_thin = |token: &&Token| token.kind == TokenKind::Space(Space::Thin);
+    let before = tokens[..at].iter().rev().find(|token| !is_thin(token));
+    let mut end = at + length;
+    while matches!(tokens.get(end).map(|token| &token.kind), Some(TokenKind::Sub | TokenKind::Super)) {
+        end += 1 + script(&tokens[end + 1..]);
+    }
+    let after = tokens.get(end..).and_then(|rest| rest.iter().find(|token| !is_thin(token)));
+    before.is_none_or(bounds) && after.is_none_or(bounds)
+}
+
+/// The number of tokens of a script.
+fn script(tokens: &[Token]) -> usize {
+    let mut depth = 0_usize;
+    for (at, token) in tokens.iter().enumerate() {
+        match token.kind {
+            TokenKind::Open => depth += 1,
+            TokenKind::Close => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        if depth == 0 {
+            return at + 1;
+        }
+    }
+    tokens.len()
 }

@@ -13,7 +13,7 @@ use super::lengths::with_plain_spaces;
 use super::marks::with_plain_marks;
 use super::parser::layout;
 use super::rest::with_rests;
-use super::spelled::{with_commands, with_units};
+use super::spelled::{with_commands, with_names, with_units};
 use super::values::has_derivative;
 
 /// The layout of a text, with its macros expanded and legacy commands normalized.
@@ -29,7 +29,8 @@ pub(crate) fn typeset_items(text: &str, macros: &Macros) -> Result<Vec<Item>, Fa
     }
     let tokens = macros.expand(without_delimiters(tokens(text)))?;
     let tokens = without_groups(with_plain_spaces(with_ellipses(tokens)));
-    let items = layout(&normalized(with_units(with_commands(with_plain_marks(without_boxes(tokens))))), text.len());
+    let items =
+        layout(&normalized(with_units(with_names(with_commands(with_plain_marks(without_boxes(tokens)))))), text.len());
     Ok(with_rests(macros.values.named(items)))
 }
 

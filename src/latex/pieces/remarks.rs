@@ -52,17 +52,17 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
     if number && is_unit(&word) {
         return false;
     }
-    // `10^5\text{ Dynes}`: directly after a number stands its unit.
-    const LONGEST_UNIT: usize = 8;
+    // `10^5\text{ Dynes}`, `\frac{9H}{100}\ \text{g}`: a unit directly after a number, and after a fraction.
     let is_beside = at > 0 && items[at - 1].layout != Layout::Space(Space::Wide);
-    let is_alphabetic = word.chars().all(|c| c.is_ascii_alphabetic() || c == '/');
-    if number && is_beside && is_alphabetic && word.len() <= LONGEST_UNIT && !is_prose(&word) {
+    let before = items[..at].iter().rev().find(|item| is_significant(item));
+    let is_fraction = before.is_some_and(|item| matches!(item.layout, Layout::Fraction(..)));
+    if is_beside && (number && names_a_unit(&word) || is_fraction && is_unit(&word)) {
         return false;
     }
     let bound = |item: &&Item| is_operator(item) || relation(item).is_some();
     let beside = |mut near: std::iter::Skip<std::slice::Iter<'_, &Item>>| near.find(is_significant).is_some_and(bound);
     let before = items[..at].iter().rev().find(is_significant).is_some_and(bound);
-    !word.is_empty()
+    word.contains(char::is_alphanumeric)
         && says_constant(items[at]).is_none()
         && !begins_condition(items[at])
         && !before
@@ -89,7 +89,10 @@ pub(super) fn name_of_the_row(items: &[&Item]) -> usize {
     if separates(items[first]) || begins_condition(items[first]) || is_prose(&word) || supposes(&word) {
         return 0;
     }
-    let ends = |item: &Item| matches!(&item.layout, Layout::Text(word) if word.ends_with(':'));
+    // `\text{Mode 0} &: P = a`
+    let ends = |item: &Item| {
+        item.layout == Layout::Other(':') || matches!(&item.layout, Layout::Text(word) if word.ends_with(':'))
+    };
     let is_part = |item: &Item| {
         relation(item).is_none() && !separates(item) && !is_operator(item) && !matches!(item.layout, Layout::Fence(..))
     };
@@ -126,6 +129,50 @@ fn is_figure(item: &Item) -> bool {
         Layout::Scripts { nucleus, sub: None, sup: Some(_), .. } => matches!(nucleus.layout, Layout::Number(_)),
         _ => false,
     }
+}
+
+/// Whether a word is the name of a unit: `Dynes`, `turns`.
+fn names_a_unit(word: &str) -> bool {
+    const NAMES: [&str; 34] = [
+        "dyne",
+        "joule",
+        "newton",
+        "watt",
+        "volt",
+        "ohm",
+        "amp",
+        "ampere",
+        "kelvin",
+        "tesla",
+        "gauss",
+        "pascal",
+        "meter",
+        "metre",
+        "hertz",
+        "coulomb",
+        "farad",
+        "henry",
+        "mole",
+        "gram",
+        "kilogram",
+        "turn",
+        "turns/m",
+        "revolution",
+        "cycle",
+        "hp",
+        "psi",
+        "knot",
+        "mile",
+        "inch",
+        "liter",
+        "litre",
+        "radian",
+        "degree",
+    ];
+    let word = word.trim_end_matches(['.', ',', ';']).to_lowercase();
+    NAMES
+        .iter()
+        .any(|name| word == *name || word.strip_suffix('s') == Some(name) || word.strip_suffix("es") == Some(name))
 }
 
 /// Whether a word after a number is a unit, and no remark: `m/s`, `eV`, `days`.

@@ -383,9 +383,21 @@ fn ends_the_row(items: &[&Item], at: usize) -> bool {
     items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_) | Layout::Other('.' | ',')))
 }
 
-/// Whether an item is the number of an equation in parentheses: `(7-47)`, `(2.3)`, `(A-1)`, `(1a)`, `[12]`.
+/// Whether an item is the number of an equation in parentheses: `(7-47)`, `(2.3)`, `(A-1)`, `(1a)`, `[12]`, `\text{(Eq. 4)}`.
 fn is_equation_number(item: &Item) -> bool {
+    // A text has lost its parentheses.
+    if let Layout::Text(word) = &item.layout {
+        let number = ["Equation", "Eqn.", "Eq.", "eq.", "Gl."].iter().find_map(|name| word.strip_prefix(name));
+        let number = number.unwrap_or(word);
+        let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '–' | 'a' | 'b' | 'c');
+        let is_number = number.starts_with(|c: char| c.is_ascii_digit()) && number.chars().all(is_part);
+        return is_number || !word.is_empty() && word.chars().all(|c| matches!(c, 'i' | 'v' | 'x'));
+    }
     let Layout::Fence(Delimiter::Round | Delimiter::Square, inside) = &item.layout else { return false };
+    // `(\text{Eq. 4.2})`
+    if let [Item { layout: Layout::Text(word), .. }] = inside.as_slice() {
+        return word.contains(|c: char| c.is_ascii_digit());
+    }
     let has_number = inside.iter().any(|item| matches!(item.layout, Layout::Number(_)));
     let is_part = |(at, item): (usize, &Item)| match &item.layout {
         Layout::Number(_) => true,

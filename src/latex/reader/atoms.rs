@@ -20,6 +20,20 @@ use super::values::Place;
 impl Reader<'_> {
     /// A single item as a formula.
     pub(super) fn item(&mut self, item: &Item) -> Read<Expr> {
+        // `1.2^{+0.8}_{-0.4}`
+        if let Layout::Scripts { nucleus, sub: Some(_), sup: Some(_), .. } = &item.layout
+            && is_number(nucleus)
+        {
+            return Err(Fault::unsupported(item.span, "a number with the bounds of its error is not supported")
+                .help("write the number alone"));
+        }
+        // `3.0\text{–}5.2`
+        if let Layout::Text(word) = &item.layout
+            && word.contains(['–', '-', '—'])
+            && !word.contains(char::is_alphanumeric)
+        {
+            return Err(Fault::unsupported(item.span, "a range of values is not supported").help("write one value"));
+        }
         // `{\mu\pi}_K`
         if let Layout::Scripts { nucleus, sub: Some(_), .. } = &item.layout
             && let Layout::Group(inside) = &nucleus.layout
@@ -472,7 +486,8 @@ fn unread(item: &Item, has_claims: bool) -> Fault {
             Fault::unsupported(span, format!("“{word}” between formulas is not supported"))
                 .help("write each case as an equation of its own")
         }
-        Layout::Text(word) => Fault::unsupported(span, format!("the text “{word}” is not supported here")),
+        Layout::Text(_) => Fault::unsupported(span, "words inside of a formula are not supported here")
+            .help("write them outside of the formula"),
         Layout::Other(',') => Fault::unsupported(span, "a comma is not supported here")
             .help("write an equation for each value; write numbers as 1000 and 1.5"),
         Layout::Other('.' | '…') => Fault::unsupported(span, "a point between formulas is not supported")

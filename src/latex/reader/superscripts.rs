@@ -128,6 +128,14 @@ impl Reader<'_> {
                     .help("only matrices that are declared or written out can be transposed; for a power, declare T")),
             };
         }
+        // `B^{-T}`
+        if let [Item { layout: Layout::Other('-'), .. }, last] = marks.as_slice()
+            && is_transpose(last)
+            && (self.symbols.open || self.symbols.guessed)
+        {
+            return Err(Fault::ambiguous(span, "this may be the inverse of a transpose or a power")
+                .help("only matrices that are declared or written out can be transposed"));
+        }
         if self.is_level(self.name_of(base).0, sup) {
             return Err(unclear(span, sup, "the number of a step or a power")
                 .help("write the number of the step as a subscript, u_n; write a power as (u)^n"));

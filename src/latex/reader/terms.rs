@@ -16,6 +16,9 @@ impl Reader<'_> {
     pub fn sum(&mut self, items: &[Item], end: Span) -> Read<Expr> {
         let whole = extent(items).unwrap_or(end);
         are_no_words(items, self.symbols)?;
+        if self.symbols.open {
+            is_no_error_of_measurement(items)?;
+        }
         if self.is_abstract()
             && let Some(found) = self.infix(items, whole)?
         {
@@ -243,4 +246,19 @@ fn dots_after_a_factor(items: &[Item]) -> Option<Span> {
     let dots = last.next().filter(|item| matches!(&item.layout, Layout::Command(name) if name == "\\dots"))?;
     let is_sign = |item: &Item| matches!(item.layout, Layout::Other(_)) || joint(item).is_some();
     last.next().filter(|before| !is_sign(before)).map(|_| dots.span)
+}
+
+/// Rejects ± between numbers with decimals, 9.81 ± 0.02: a value with its error, and no two values.
+fn is_no_error_of_measurement(items: &[Item]) -> Read<()> {
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let has_decimals = |item: &Item| matches!(&item.layout, Layout::Number(digits) if digits.contains('.'));
+    let is_sign = |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\pm");
+    let found = solid.windows(3).find(|three| has_decimals(three[0]) && is_sign(three[1]) && has_decimals(three[2]));
+    match found {
+        Some(three) => {
+            Err(Fault::ambiguous(three[0].span.to(three[2].span), "this may be a value with its error, or two values")
+                .help("write the value alone"))
+        }
+        None => Ok(()),
+    }
 }

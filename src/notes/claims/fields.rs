@@ -112,10 +112,31 @@ pub(super) fn wrong(json: &Json, name: &str, expected: &str) -> Fault {
     Fault::claims(json.span, format!("\"{name}\" must be {expected}, not {}", json.value.kind()))
 }
 
+/// A value of a key that holds names, for the help of an error.
+fn example(what: &str) -> Option<&'static str> {
+    const EXAMPLES: [(&str, &str); 8] = [
+        ("coordinates", "{ \"\\\\theta\": \"angle\" }"),
+        ("constants", "{ \"m, k\": \"> 0\" }"),
+        ("varies with time", "{ \"x\": \"any\" }"),
+        ("define", "{ \"\\\\omega_0\": \"\\\\sqrt{k/m}\" }"),
+        ("units", "{ \"m\": \"kg\" }"),
+        ("means", "{ \"L\": \"Lagrangian\" }"),
+        ("functions", "{ \"V\": \"of r\" }"),
+        ("equations", "{ \"2\": { \"small\": \"\\\\theta\" } }"),
+    ];
+    EXAMPLES.iter().find(|(key, _)| what.trim_matches('"') == *key).map(|(_, example)| *example)
+}
+
 pub(super) fn object<'a>(json: &'a Json, what: &str) -> Result<&'a [(Text, Json)], Fault> {
     match &json.value {
         Value::Object(entries) => Ok(entries),
-        other => Err(Fault::claims(json.span, format!("{what} must be an object, not {}", other.kind()))),
+        other => {
+            let fault = Fault::claims(json.span, format!("{what} must be an object, not {}", other.kind()));
+            Err(match example(what) {
+                Some(example) => fault.help(format!("as in {what}: {example}")),
+                None => fault,
+            })
+        }
     }
 }
 

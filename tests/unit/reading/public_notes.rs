@@ -214,9 +214,8 @@ fn words_with_powers_and_short_forms_are_no_products() {
     are_refused(&[
         "K = {\\text{mv}}^2",
         "E = \\text{mc}^2",
-        "a = HHV",
-        "ESS = a",
-        "VSWR = a",
+        "a = b + VSWR c",
+        "a = b ESS",
         "f = \\frac1T [Hz]",
         "E = 5 eV",
     ]);
@@ -257,4 +256,58 @@ fn digits_in_threes_and_delimiters_in_braces() {
         ("ds = r\\sin\\theta\\,\\mathrm d\\phi", "ds = r·sin(θ)·dφ"),
     ]);
     are_refused(&["a = 3 0", "a = 1,000", "a = 10\\,47"]);
+}
+
+#[test]
+fn names_of_energies_and_numbers_are_one_name() {
+    are_read(&[
+        ("Re = \\frac{\\rho v D}{\\mu}", "Re = (ρ·v·D)/μ"),
+        ("ESS = a", "ESS = a"),
+        ("LCV = HCV - a", "LCV = HCV − a"),
+        ("KE = \\frac12 m v^2", "KE = (1/2)·m·v^2"),
+        ("KE_i + PE_i = E", "KE_i + PE_i = E"),
+        ("a{\\times}b{=}c", "a × b = c"),
+    ]);
+    are_refused(&["E = Re v", "a = 2KE x"]);
+}
+
+#[test]
+fn symbols_with_two_indices_are_no_functions() {
+    are_read(&[
+        ("\\Gamma^\\mu_{00}\\left(a^0\\right)^2 = a", "Γ_{00}^{μ}·a^{0}^2 = a"),
+        ("y = \\Gamma(x + 1)", "y = Γ(x + 1)"),
+        ("a = b \\quad \\text{(Eq. 3.1.3)}", "a = b"),
+        ("a = b \\quad \\text{(iv)}", "a = b"),
+    ]);
+    are_refused(&["y = (f \\circ g)(x)", "K = B^{-T}", "\\tau = J^{-T} F"]);
+}
+
+#[test]
+fn errors_of_measurement_and_variations_are_no_factors() {
+    are_refused(&[
+        "x = (1.0 \\pm 0.4) \\times 10^4",
+        "M = 1.2^{+0.8}_{-0.4}",
+        "T = 3.0\\text{–}5.2",
+        "D_\\mu\\phi = a",
+        "\\delta^2 J[\\eta] = a",
+        "\\cos\\theta_t = i\\sqrt{\\sin\\theta_i - 1}",
+        "r_c^\\gamma = a",
+    ]);
+    are_read(&[
+        ("x = 3 \\pm \\sqrt 2", "x = 3 + √(2) or x = 3 − √(2)"),
+        ("\\partial_t u = ru(1-u)", "∂u/∂t = r·u·(1 − u)"),
+        ("\\begin{aligned}\\text{Mode 0} &: P = a \\\\ \\text{Mode 1} &: P = b\\end{aligned}", "P = a ¦ P = b"),
+    ]);
+}
+
+#[test]
+fn values_and_letters_beside_their_own_name_are_no_functions() {
+    are_read(&[
+        ("H(z) = H_0 \\sqrt{\\Omega_m (1+z)^3 + a}", "H(z) = H_0·√(Ω_m·(1 + z)^3 + a)"),
+        ("T_\\nu(z) = T_{\\nu,0}(1+z)", "T_ν(z) = T_{ν,0}·(1 + z)"),
+        ("u_t = ru(1-u), u(x,0) = a", "u_t = r·u·(1 − u) ¦ u(x, 0) = a"),
+        ("S_1(E_1) = S_2(E - E_1)", "S_1(E_1) = S_2(E − E_1)"),
+        ("\\theta'' = \\mathrm{Pr}\\,f\\,\\theta'", "θ'' = Pr·f·θ'"),
+    ]);
+    are_refused(&["H = t[j][k]", "a = Z[J,K]"]);
 }

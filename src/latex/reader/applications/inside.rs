@@ -56,8 +56,8 @@ pub(super) fn is_function(entry: &Entry) -> bool {
         ["\\mathcal{", "\\mathscr{", "\\mathbb{", "\\mathfrak{"].iter().any(|style| base.starts_with(style));
     // `\bar V(p - q)` is a function as V is.
     let plain = names::unaccented(&entry.name);
-    // `\delta_{ij}(a + b)`: Kronecker's delta is a factor.
-    if base == "\\delta" && entry.name.subscript.len() > 1 {
+    // `\delta_{ij}(a + b)`, `\Gamma^r_{tt}(\dot t)^2`: with two indices they are factors.
+    if ["\\delta", "\\Gamma"].contains(&base) && entry.name.subscript.len() > 1 {
         return false;
     }
     entry.name.primes > 0 || FUNCTIONS.contains(&plain.base.as_str()) || is_ornate

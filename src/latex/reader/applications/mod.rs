@@ -197,6 +197,10 @@ impl Reader<'_> {
         if *delimiter != Delimiter::Round {
             return false;
         }
+        // `ru(1 - u)`: nothing is a function of itself.
+        if !is_function(entry) && inside.iter().any(|item| mentions(item, &entry.name)) {
+            return false;
+        }
         let is_usual = is_function(entry)
             || FIELDS.contains(&entry.name.base.as_str())
             || self.is_inferred_function(&entry.name)
@@ -347,7 +351,8 @@ impl Reader<'_> {
                 .windows(2)
                 .any(|pair| differential(pair[0]) == Some(1) && names::printed(pair[1], None).is_some());
         let is_factor = !is_function(entry) && !FIELDS.contains(&name.base.as_str());
-        if self.symbols.open && is_factor && (has_itself || has_differential) {
+        let is_logistic = has_itself && !is_function(entry);
+        if self.symbols.open && (is_logistic || is_factor && has_differential) {
             return Ok(());
         }
         // The Lorentz factor is no function of the place or the time.

@@ -100,6 +100,14 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
         && !is_ratio
         // `P_{n+1}(A - BK_n)` is a product of matrices.
         && !inside.first().is_some_and(is_capital);
+    // `\zeta(\nabla\cdot\mathbf u)`, `\psi(\hat a + \hat b)`: what an operator makes, or operators, are factors.
+    let is_operator = |item: &Item| {
+        item.layout == Layout::Command("\\nabla".to_owned())
+            || names::printed(item, None).is_some_and(|found| found.name.base.starts_with("\\hat{"))
+    };
+    if base != "f" && inside.iter().any(is_operator) {
+        return false;
+    }
     // The gamma function has no argument that varies with the time: `i\Gamma(x/c - t)` is refused as k(x − ct) is.
     let is_rate = base == "\\Gamma" && inside.iter().any(|item| is_time(item) || is_field(item));
     // One product in a parenthesis is a factor as often: `\rho(\xi^2 q)`.
@@ -110,7 +118,7 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
         Layout::Fence(_, inner) => inner.iter().any(is_place),
         _ => is_place(item),
     });
-    let is_kronecker = base == "\\delta" && name.subscript.len() > 1;
+    let is_kronecker = ["\\delta", "\\Gamma"].contains(&base) && name.subscript.len() > 1;
     let is_known = always.contains(&base) && !is_rate && !is_kronecker || is_legendre || base.starts_with("\\mathcal{");
     // U_0 is the value of U at a place, and a factor: `U_0(1 - x/a)`, `V_0(x - a)^2`.
     let is_value = name.subscript == ["0"];

@@ -7,7 +7,8 @@
 //! | a letter with a number added above a vector or behind ∇, `\mathbf u^{n+1}`, `\nabla u^{n+1}` | the same |
 //! | the same without a step, or half of one, `y^{n+1/2}` | may be the number of a step |
 //!
-//! A letter that is a factor or a term of its own, as in `x^{n+1}/(n + 1)`, is a power, and so is one below a Σ.
+//! A letter that is a factor or a term of its own, as in `x^{n+1}/(n + 1)`, is a power, and so are one below a Σ and one
+//! above a name that also stands alone.
 
 use std::collections::HashSet;
 
@@ -41,7 +42,8 @@ pub(in super::super::super) fn note_levels(items: &[Item], inferred: &mut Inferr
             let key = (above.base.clone(), counter);
             if above.is_on_a_grid || found.of_fields.contains(&counter) || advances && found.has_step {
                 inferred.levels.insert(key);
-            } else if (advances || is_halved) && !found.summed.contains(&counter) {
+            } else if (advances || is_halved) && !found.summed.contains(&counter) && !found.plain.contains(&above.base)
+            {
                 inferred.possible_levels.insert(key);
             }
         }
@@ -81,6 +83,8 @@ struct Found {
     factors: HashSet<char>,
     /// Counters above vectors and behind ∇, with a number added: neither has such a power.
     of_fields: HashSet<char>,
+    /// Names without anything above them: `x^{n+1} = x^n x` has powers of x.
+    plain: HashSet<String>,
     /// Counters below a Σ or a Π, of which a power is a term of a series.
     summed: HashSet<char>,
     has_step: bool,
@@ -90,6 +94,8 @@ impl Found {
     fn list(&mut self, items: &[Item]) {
         let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
         for (at, item) in solid.iter().enumerate() {
+            self.plain
+                .extend(names::printed(item, None).filter(|found| found.sup.is_none()).map(|found| found.name.base));
             let is_delta = matches!(&item.layout, Layout::Command(name) if name == "\\Delta");
             self.has_step |= is_delta && solid.get(at + 1).is_some_and(|next| names::printed(next, None).is_some());
             let is_behind_nabla = at > 0 && matches!(&solid[at - 1].layout, Layout::Command(name) if name == "\\nabla");

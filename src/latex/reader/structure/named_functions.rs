@@ -68,7 +68,9 @@ impl Reader<'_> {
                 let word = printed(contents(inner));
                 let has_argument =
                     matches!(items.get(*cursor + 1).map(|next| &next.layout), Some(Layout::Fence(Delimiter::Round, _)));
-                FUNCTIONS.contains(&word.as_str()) || contents(inner).len() > 1 && has_argument && is_bare
+                // `\mathrm{Pr}\,f`: the Prandtl number, where no event stands in parentheses.
+                FUNCTIONS.contains(&word.as_str()) && (word != "Pr" || has_argument)
+                    || contents(inner).len() > 1 && has_argument && is_bare
             }
             _ => false,
         };

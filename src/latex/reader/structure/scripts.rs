@@ -36,7 +36,7 @@ impl Reader<'_> {
                     || self.is_component(base, sup)
                     || self.is_certain_level(self.name_of(base).0, sup)
                     || self.is_element_of_an_inverse(base, sup)
-                    || self.has_subscript(base) && self.may_be_a_label(sup)
+                    || self.has_subscript(base) && self.may_be_a_label(base, sup)
                     || self.has_indices(base) && names::printed(sup, None).is_some_and(|found| found.sup.is_none())
                     || has_no_powers && (is_minus_one(sup) || whole_number(sup).is_none())
             }
@@ -53,10 +53,16 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether a lone letter above may be a label: no letter that is usual for a power, as in `D h_i^r`.
-    fn may_be_a_label(&self, sup: &Item) -> bool {
+    /// Whether a lone letter above may be a label: no letter that is usual for a power, as in `D h_i^r`, `r_c^\gamma`. Above a Greek
+    /// index stands another one, `\Lambda_\beta^\alpha`.
+    fn may_be_a_label(&self, base: &Expr, sup: &Item) -> bool {
         const POWERS: [&str; 5] = ["a", "b", "p", "q", "r"];
-        let is_power = |found: names::Printed<'_>| POWERS.contains(&found.name.base.as_str());
+        const GREEK: [&str; 4] = ["\\alpha", "\\beta", "\\gamma", "\\kappa"];
+        let has_greek = self.name_of(base).1.iter().any(|token| token.starts_with('\\'));
+        let is_power = |found: names::Printed<'_>| {
+            let letter = found.name.base.as_str();
+            POWERS.contains(&letter) || !has_greek && GREEK.contains(&letter)
+        };
         is_lone_letter(sup) && (!names::printed(sup, None).is_some_and(is_power) || self.is_index(sup))
     }
 

@@ -181,8 +181,10 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(span, format!("{name} may be a sum, a product or a symbol"))
                 .help("write \\sum_i or \\prod_i for the operation, and put a thin space \\, after a symbol"));
         }
+        // No index multiplies a root.
+        let is_before_root = items.get(*cursor).is_some_and(|next| matches!(next.layout, Layout::Root(..)));
         if !is_bound
-            && !self.is_abstract_index(name)
+            && (!self.is_abstract_index(name) || is_before_root)
             && name.subscript.is_empty()
             && ["i", "\\imath", "\\mathrm{i}"].contains(&name.base.as_str())
         {

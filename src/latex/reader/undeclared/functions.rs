@@ -28,6 +28,13 @@ impl Reader<'_> {
         if !self.is_inferred_function(&printed.name) {
             return Ok(None);
         }
+        // `ru(1 - u)` beside u(x, 0): nothing is a function of itself.
+        if let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), .. }) = items.get(*cursor)
+            && inside.len() > 1
+            && inside.iter().any(|item| names::printed(item, None).is_some_and(|found| found.name == printed.name))
+        {
+            return Ok(None);
+        }
         // `f(x)_{max}`: the subscript belongs to the value.
         if let Some(Item { layout: Layout::Scripts { nucleus, sub: Some(sub), sup, primes: 0 }, span: place }) =
             items.get(*cursor)

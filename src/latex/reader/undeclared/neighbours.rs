@@ -59,6 +59,22 @@ impl Reader<'_> {
             return Err(Fault::unsupported(span, "a functional of several functions is not supported")
                 .help("write it with its name alone"));
         }
+        if touches && is_covariant(before) && names::printed(item, None).is_some() {
+            return Err(Fault::ambiguous(span, "this may be a covariant derivative or a product")
+                .help("for a product, put a thin space \\, between the letters"));
+        }
+        let is_applied =
+            items.get(at + 1).is_some_and(|next| matches!(next.layout, Layout::Fence(Delimiter::Square, _)));
+        let is_capital = letter(item).is_some_and(|c| c.is_ascii_uppercase());
+        if is_second_variation(before) && self.is_name(item) && (is_applied || is_capital) {
+            return Err(Fault::ambiguous(span, "this may be the second variation or a product with δ²")
+                .help("for a product, write \\cdot"));
+        }
+        if touches && is_step_in_brackets(before) && is_step_in_brackets(item) {
+            return Err(
+                Fault::unsupported(span, "two steps in brackets are not supported").help("write them as x_{jk}")
+            );
+        }
         // `\int \mathcal{D}x\, e^{iS}`
         let is_measure = |item: &Item| {
             names::printed(item, None)
@@ -130,9 +146,34 @@ fn may_be_an_argument(item: &Item) -> bool {
     inside.len() > 1 && !inside.iter().skip(1).any(is_sign) && !inside.iter().any(is_marked)
 }
 
+/// Whether a small letter or a number stands alone in square brackets: `t[j][k]`.
+fn is_step_in_brackets(item: &Item) -> bool {
+    let Layout::Fence(Delimiter::Square, inside) = &item.layout else { return false };
+    match inside.as_slice() {
+        [only] => letter(only).is_some_and(|c| c.is_ascii_lowercase()) || matches!(only.layout, Layout::Number(_)),
+        _ => false,
+    }
+}
+
+/// Whether an item is a D with one index, as of a covariant derivative: `D_\mu`, `D_t`.
+fn is_covariant(item: &Item) -> bool {
+    names::printed(item, None).is_some_and(|found| {
+        let is_index = |index: &str| ["\\mu", "\\nu", "\\tau", "\\lambda", "\\alpha", "t"].contains(&index);
+        found.sup.is_none()
+            && ["D", "\\mathcal{D}"].contains(&found.name.base.as_str())
+            && matches!(found.name.subscript.as_slice(), [index] if is_index(index))
+    })
+}
+
+/// Whether an item is δ with the power 2.
+fn is_second_variation(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Scripts { nucleus, sub: None, sup: Some(sup), .. }
+        if nucleus.layout == Layout::Command("\\delta".to_owned()) && super::super::items::whole_number(sup) == Some(2))
+}
+
 /// Whether a letter usually stands for a functional: `F[n, T]`.
 fn is_functional(item: &Item) -> bool {
-    let is_letter = |base: &str| ["f", "F", "S", "J", "G", "W", "I", "L", "\\Gamma"].contains(&base);
+    let is_letter = |base: &str| ["f", "F", "S", "J", "G", "W", "I", "L", "H", "Z", "\\Gamma"].contains(&base);
     names::printed(item, None).is_some_and(|found| found.sup.is_none() && is_letter(&found.name.base))
 }
 
@@ -175,7 +216,12 @@ fn is_operation(item: &Item) -> bool {
     let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
     let mut solid = inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
     let is_named = |item: &Item| names::printed(item, None).is_some() || matches!(item.layout, Layout::Accent(..));
-    let is_part = |item: &Item| is_named(item) || matches!(item.layout, Layout::Other('+' | '-' | '*'));
+    let is_sign = |name: &str| ["\\circ", "\\dots", "\\cdots", "\\ast"].contains(&name);
+    let is_part = |item: &Item| {
+        is_named(item)
+            || matches!(item.layout, Layout::Other('+' | '-' | '*' | '∘'))
+            || matches!(&item.layout, Layout::Command(name) if is_sign(name))
+    };
     inside.len() > 1 && inside.first().is_some_and(is_named) && solid.all(is_part)
 }
 
