@@ -112,6 +112,11 @@ impl Finder<'_> {
         let Ok(n) = digits.parse::<u32>() else { return };
         let mut others = vec![n.saturating_mul(2), n.saturating_add(1)];
         others.extend((n % 2 == 0).then_some(n / 2));
+        // The derivative and the integral of a cube bring a 3.
+        if self.pool.is_some() {
+            others.push(n.saturating_mul(3));
+            others.extend((n % 3 == 0).then_some(n / 3));
+        }
         // A product with 0 in it says nothing; where a number is a whole side, see `nothing`.
         others.extend(n.checked_sub(1).filter(|less| *less > 0 || self.pool.is_none()));
         if self.pool.is_some() && digits.len() == 1 {
