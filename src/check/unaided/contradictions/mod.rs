@@ -7,6 +7,7 @@
 //! Offers `weighed`, which changes the findings on displays that contradict each other. Knows `repair` and below.
 
 pub(super) mod premises;
+mod vouched;
 
 use crate::Result;
 use crate::check::document::checker::Checker;
