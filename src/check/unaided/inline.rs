@@ -156,7 +156,7 @@ fn with_known_names(
 
 /// A formula with parentheses around what stands directly after a slash: in a line of text `1/k_BT` has k_B T below it. After a
 /// space or a number over a number, as in `1/2 mv^2`, it does not.
-fn with_whole_denominators(text: &str) -> String {
+pub(super) fn with_whole_denominators(text: &str) -> String {
     let mut edits = products_in_lines(text);
     edits.sort_by_key(|(span, _)| std::cmp::Reverse(span.start));
     let mut text = text.to_owned();

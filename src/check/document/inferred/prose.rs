@@ -17,8 +17,9 @@ use crate::check::model::Model;
 use crate::check::model::meaning::Meaning;
 
 /// Words that announce a definition.
-const ANNOUNCE: [&str; 14] = [
+const ANNOUNCE: [&str; 15] = [
     "where",
+    "throughout",
     "with",
     "put",
     "let",

@@ -12,22 +12,24 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
-use crate::formula::{Expr, SymbolId, text};
+use crate::formula::{Expr, Node, SymbolId, text};
 use crate::latex::read_display;
 
 /// Words for a sum.
 const SUM: [&str; 5] = ["sum is", "summe ist", "somme est", "somma è", "suma es"];
 
 /// What the words say of a name.
-struct Restated {
-    formula: Expr,
+pub(super) struct Restated {
+    pub formula: Expr,
     /// The formula in words.
-    says: String,
+    pub says: String,
+    /// Whether nothing stands between the words and the display but that the one gives the other.
+    pub is_direct: bool,
 }
 
 impl Course<'_, '_> {
     /// The finding on a display that gives a formula to a name, if the words before it say what the name is.
-    pub(super) fn restated(&self, at: usize, found: &Equation) -> Result<Option<Equation>> {
+    pub(super) fn restated(&mut self, at: usize, found: &Equation) -> Result<Option<Equation>> {
         let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
         let [Ok(statement)] = checker.readings[at].statements.as_slice() else { return Ok(None) };
         let Some((name, formula)) = named(statement).filter(|(_, formula)| !formula.symbols().is_empty()) else {
@@ -36,13 +38,22 @@ impl Course<'_, '_> {
         if inline::is_inline(checker.notes, display) || found.finding.verdict.passes() && !is_definition(found) {
             return Ok(None);
         }
-        let Some(said) = self.sum(at, name) else { return Ok(None) };
+        let said = match self.sum(at, name) {
+            Some(said) => said,
+            None => match self.formula_in_sentence(at, statement) {
+                Some(said) => said,
+                None => return Ok(None),
+            },
+        };
         let agrees = |formula: &Expr| -> Result<bool> {
             Ok(self.constant_ratio(&said.formula, formula)?.is_some_and(|ratio| (ratio - 1.0).abs() < ROUNDING))
         };
         let finding = |verdict: Verdict, code: Code, message: String| gate::settled(found, (verdict, code), message);
         if agrees(formula)? {
             return Ok(Some(finding(Verdict::Verified, Code::Holds, format!("this is {}", said.says))));
+        }
+        if !said.is_direct {
+            return Ok(None);
         }
         let words = prose::before(checker.notes, at);
         let is_general = !words.other_case && !words.announced.is_supposed();
@@ -55,9 +66,45 @@ impl Course<'_, '_> {
             let [Ok(edited)] = reading.statements.as_slice() else { continue };
             let Some((_, edited)) = named(edited) else { continue };
             if agrees(edited)? {
+                // The slip may be in what the formula of the words uses.
+                if let Some(other) = self.definition_that_explains(&said.formula, formula)? {
+                    let message = format!("this is not {}, unless ({other}) is wrong", said.says);
+                    return Ok(Some(finding(Verdict::Undecided, Code::NotDecided, message)));
+                }
                 let repair = Repair::of(edit, display.body.start, Verdict::Verified);
                 let wrong = finding(Verdict::Refuted, Code::SidesDiffer, format!("this is not {}", said.says));
                 return Ok(Some(Equation { repairs: vec![repair], ..wrong }));
+            }
+        }
+        // What rests on this name rests on a formula that may be wrong.
+        self.doubtful.push(name);
+        Ok(None)
+    }
+
+    /// The name of a display with a definition, where a likely slip in it explains why a formula that uses it is not equal to another
+    /// one.
+    fn definition_that_explains(&self, uses: &Expr, other: &Expr) -> Result<Option<String>> {
+        let checker = self.checker;
+        let used = gate::names(uses, checker.model);
+        for (place, display) in checker.notes.equations.iter().enumerate() {
+            let is_used = |id: &SymbolId| checker.readings[place].introduced.iter().any(|new| new.symbol == *id);
+            if inline::is_inline(checker.notes, display) || !used.iter().any(is_used) {
+                continue;
+            }
+            for edit in self.edits_with_factors(place, None) {
+                let text = edit.applied(&display.text);
+                let reading = read_display(&text, &mut checker.model.symbols.clone(), &checker.model.macros);
+                for (name, formula) in reading.statements.iter().flatten().filter_map(named) {
+                    let mut edited = uses.clone();
+                    edited.substitute(&|node| match node {
+                        Node::Symbol { id, dots: 0, .. } if *id == name => Some(formula.clone()),
+                        _ => None,
+                    });
+                    let ratio = self.constant_ratio(&edited, other)?;
+                    if edited != *uses && ratio.is_some_and(|ratio| (ratio - 1.0).abs() < ROUNDING) {
+                        return Ok(display.id().map(str::to_owned));
+                    }
+                }
             }
         }
         Ok(None)
@@ -101,7 +148,11 @@ impl Course<'_, '_> {
         }
         let sum = terms.join(" + ");
         let formula = self.read_formula(&sum).filter(|_| terms.len() > 1)?;
-        Some(Restated { formula, says: format!("{}, the sum of which the words speak", text::plain(&sum)) })
+        Some(Restated {
+            formula,
+            says: format!("{}, the sum of which the words speak", text::plain(&sum)),
+            is_direct: true,
+        })
     }
 
     /// A formula by its LaTeX, if it moves or has letters.

@@ -25,11 +25,11 @@ pub(super) const FEWEST: usize = 6;
 pub(super) const ROUNDING: f64 = 1e-9;
 
 /// A quantity at a place.
-struct Special {
+pub(super) struct Special {
     /// The formula of the quantity with the value put in.
-    value: Expr,
+    pub value: Expr,
     /// The place in words.
-    says: String,
+    pub says: String,
 }
 
 impl Course<'_, '_> {
@@ -45,7 +45,8 @@ impl Course<'_, '_> {
         let is_equal = |a: &Expr, b: &Expr| -> Result<bool> {
             Ok(self.constant_ratio(a, b)?.is_some_and(|ratio| (ratio - 1.0).abs() < ROUNDING))
         };
-        let specials = self.specials(at, name, formula);
+        let mut specials = self.specials(at, name, formula);
+        specials.extend(self.at_argument(at, name));
         for Special { value, says } in &specials {
             if is_equal(value, formula)? {
                 return Ok(Some(finding(Verdict::Verified, Code::Holds, format!("this is {says}"))));
