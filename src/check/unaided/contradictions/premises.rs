@@ -13,6 +13,7 @@ use crate::check::unaided::contradictions::vouched;
 use crate::check::unaided::contradictions::{consistent, contradicted, open, refuted, undecided};
 use crate::check::unaided::course::Course;
 use crate::check::unaided::course::examples::LOST_FACTORS;
+use crate::check::unaided::dimensions;
 use crate::check::unaided::premises::{self, Premise, Said};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::{Repair, Shared};
@@ -188,7 +189,10 @@ fn edited(course: &Course<'_, '_>, at: usize, set: &[Premise], premise: &Premise
             let of = checker.notes.equations[premise.at].id().unwrap_or_default().to_owned();
             let mends = vec![checker.notes.equations[at].id().unwrap_or_default().to_owned()];
             let shared = Some(Shared { of, mends });
-            return Ok(Some(Repair { shared, ..Repair::of(edit, offset, Verdict::Verified) }));
+            let repair = Repair { shared, ..Repair::of(edit, offset, Verdict::Verified) };
+            if !dimensions::are_spoilt(checker, premise.at, &repair) {
+                return Ok(Some(repair));
+            }
         }
     }
     Ok(None)

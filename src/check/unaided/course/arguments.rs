@@ -62,8 +62,7 @@ impl Course<'_, '_> {
     fn read(&self, latex: &str) -> Option<Expr> {
         let model = self.checker.model;
         let mut symbols = model.symbols.clone();
-        let reading =
-            read_display(&format!("0 = {}", inline::with_whole_denominators(latex)), &mut symbols, &model.macros);
+        let reading = read_display(&format!("0 = {}", inline::as_displayed(latex)), &mut symbols, &model.macros);
         let [Ok(statement)] = reading.statements.as_slice() else { return None };
         let formula = statement.members.get(1)?;
         let is_known = formula.symbols().iter().all(|(id, dots)| id.0 < model.symbols.len() && *dots == 0);

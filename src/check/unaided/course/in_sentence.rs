@@ -9,78 +9,6 @@ use crate::check::unaided::course::restated::Restated;
 use crate::check::unaided::inline;
 use crate::formula::{Expr, Node, Statement, SymbolId, text};
 use crate::latex::read_display;
-use crate::source::Span;
-
-/// The words that may stand between a formula in a sentence and a display that follows from it.
-const BETWEEN: [&str; 66] = [
-    "and",
-    "so",
-    "is",
-    "we",
-    "get",
-    "find",
-    "have",
-    "has",
-    "hence",
-    "thus",
-    "therefore",
-    "which",
-    "that",
-    "this",
-    "it",
-    "then",
-    "gives",
-    "yields",
-    "comes",
-    "out",
-    "as",
-    "be",
-    "to",
-    "becomes",
-    "reads",
-    "obtain",
-    "see",
-    "from",
-    "follows",
-    "now",
-    "i.e",
-    "simply",
-    "or",
-    "one",
-    "finds",
-    "gets",
-    "obtains",
-    "by",
-    "differentiation",
-    "explicitly",
-    "the",
-    "result",
-    // other languages
-    "also",
-    "und",
-    "damit",
-    "folgt",
-    "ergibt",
-    "sich",
-    "zu",
-    "wird",
-    "ist",
-    "daraus",
-    "donc",
-    "d'où",
-    "on",
-    "obtient",
-    "trouve",
-    "vaut",
-    "quindi",
-    "si",
-    "ottiene",
-    "vale",
-    "è",
-    "e",
-    "et",
-    "soit",
-];
 
 impl Course<'_, '_> {
     /// What the last formula in a sentence between a display and the one before it says of the name to which the display gives a
@@ -97,7 +25,7 @@ impl Course<'_, '_> {
         let mut said = None;
         for span in notes.inline.iter().filter(|span| span.start >= start && span.end <= end) {
             let Some(body) = body_of(notes, *span) else { continue };
-            let latex = inline::with_whole_denominators(&with_derivatives(notes.source.slice(body)));
+            let latex = inline::as_displayed(notes.source.slice(body));
             if !latex.contains('=') || follows_condition(notes, *span) {
                 continue;
             }
@@ -119,22 +47,10 @@ impl Course<'_, '_> {
             };
             if is_known && !formula.symbols().is_empty() && !formula.is_null() {
                 let says = format!("{}, as the sentence before it says", text::formula(&value, &model.symbols));
-                said = Some(Restated { formula: value, says, is_direct: self.is_directly_before(*span, at) });
+                said = Some(Restated { formula: value, says, is_direct: inline::leads_to(notes, *span, end) });
             }
         }
         said
-    }
-
-    /// Whether nothing but words that one gives the other stands between a formula in a sentence and a display.
-    fn is_directly_before(&self, span: Span, at: usize) -> bool {
-        let notes = self.checker.notes;
-        let between = notes.source.text.get(span.end..notes.equations[at].span.start).unwrap_or_default();
-        let words = between.split(|c: char| c.is_whitespace() || ",;:".contains(c)).filter(|word| !word.is_empty());
-        let is_allowed = |word: &str| {
-            let word = word.trim_end_matches('.').to_lowercase();
-            word.is_empty() || BETWEEN.contains(&word.as_str())
-        };
-        words.into_iter().all(is_allowed)
     }
 }
 
@@ -145,25 +61,6 @@ fn name_of(text: &str) -> String {
         Some(at) if at > 0 && bare.ends_with(')') => bare[..at].to_owned(),
         _ => bare,
     }
-}
-
-/// A formula in a line of text with its derivatives as fractions: `dU/dT`, `\partial \ln Z/\partial\beta`.
-fn with_derivatives(text: &str) -> String {
-    const SIGNS: [&str; 2] = ["\\partial", "d"];
-    let ends_a_name = |text: &str| text.ends_with(|c: char| c.is_ascii_alphabetic() || matches!(c, '\\' | '^' | '_'));
-    let derivative = |sign: &str| {
-        let slash =
-            text.match_indices('/').map(|(at, _)| at).find(|at| text[at + 1..].trim_start().starts_with(sign))?;
-        let (before, below) = (&text[..slash], &text[slash + 1..]);
-        let is_sign = |at: &usize| sign != "d" || !ends_a_name(&before[..*at]);
-        let start = before.match_indices(sign).map(|(at, _)| at).filter(is_sign).last()?;
-        let length = below.trim_end().find(|c: char| "=+-,;)".contains(c)).unwrap_or(below.trim_end().len());
-        let (below, after) = below.split_at(length);
-        let above = &before[start..];
-        let is_plain = !above.contains(['=', '+', '/', '(']) && above.trim() != sign;
-        is_plain.then(|| format!("{}\\frac{{{above}}}{{{below}}}{after}", &before[..start]))
-    };
-    SIGNS.iter().find_map(|sign| derivative(sign)).unwrap_or_else(|| text.to_owned())
 }
 
 fn written_out(formula: &Expr, defined: &[(SymbolId, Expr)]) -> Expr {
