@@ -109,11 +109,33 @@ fn a_sentence_about_another_place_makes_no_display_wrong() {
 
 $$ V = \frac{Q}{4 \pi \epsilon R} $$
 
+The speed after a fall is $v = \sqrt{2 g h}$, so we get
+
+$$ v = \sqrt{2 g H} $$
+
 For slow particles the energy is $K = m v^2/2$, but for fast ones
 
 $$ K = 2 m v^2 $$
 ";
     let found = verdicts("other", notes);
+    assert!(found.iter().all(|verdict| verdict != "refuted"), "{found:?}");
+}
+
+#[test]
+fn a_function_with_several_formulas_has_no_value_that_could_be_wrong() {
+    let notes = r"Inside, the field is
+
+$$ E(r) = \frac{Q r}{4 \pi \epsilon R^3} $$
+
+and outside it is
+
+$$ E(r) = \frac{Q}{4 \pi \epsilon r^2} $$
+
+Half way, at $r_1 = R/2$, it is
+
+$$ E(r_1) = \frac{Q}{8 \pi \epsilon R^2} $$
+";
+    let found = verdicts("several", notes);
     assert!(found.iter().all(|verdict| verdict != "refuted"), "{found:?}");
 }
 

@@ -9,35 +9,41 @@ use crate::formula::{Expr, Node, SymbolId, text};
 use crate::latex::read_display;
 
 impl Course<'_, '_> {
-    /// The value of a function at the argument in a name, by the last formula for the function of one letter.
+    /// The value of a function at the argument in a name, by the only formula for the function of one letter.
     pub(super) fn at_argument(&self, at: usize, name: SymbolId) -> Option<Special> {
         let (checker, model) = (self.checker, self.checker.model);
         let (function, argument) = applied(&model.name(name))?;
         let place = self.place_of_argument(at, &argument)?;
+        let mut found = None;
         for before in (0..at).rev() {
             let display = &checker.notes.equations[before];
             for statement in checker.readings[before].statements.iter().flatten() {
                 let [first, formula, ..] = statement.members.as_slice() else { continue };
                 let Some((same, letter)) = display.text.get(first.span.range()).and_then(applied) else { continue };
-                if same != function || statement.branch.is_some() {
+                let Some(letter) = self.read(&letter).and_then(|letter| letter.as_plain_symbol()) else { continue };
+                if same != function {
                     continue;
                 }
-                // The last formula decides, whether it can be used or not.
-                let letter = self.read(&letter)?.as_plain_symbol()?;
-                let mut value = self.written_out(formula, letter)?;
-                if value.symbols().iter().all(|(id, _)| *id != letter) {
+                // A function with several formulas has each in another range.
+                let is_everywhere = statement.branch.is_none() && statement.conditions.is_empty();
+                if found.is_some() || !is_everywhere || display.text.contains(['<', '>']) {
                     return None;
                 }
-                value.substitute(&|node| match node {
-                    Node::Symbol { id, dots: 0, .. } if *id == letter => Some(place.clone()),
-                    _ => None,
-                });
-                let [first, place] = [first, &place].map(|formula| text::formula(formula, &model.symbols));
-                let letter = text::plain(&model.name(letter));
-                return Some(Special { value, says: format!("{first} where {letter} = {place}") });
+                found = Some((first, formula, letter));
             }
         }
-        None
+        let (first, formula, letter) = found?;
+        let mut value = self.written_out(formula, letter)?;
+        if value.symbols().iter().all(|(id, _)| *id != letter) {
+            return None;
+        }
+        value.substitute(&|node| match node {
+            Node::Symbol { id, dots: 0, .. } if *id == letter => Some(place.clone()),
+            _ => None,
+        });
+        let [first, place] = [first, &place].map(|formula| text::formula(formula, &model.symbols));
+        let letter = text::plain(&model.name(letter));
+        Some(Special { value, says: format!("{first} where {letter} = {place}") })
     }
 
     /// What an argument is: the formula that a sentence before a display gives it, or itself.

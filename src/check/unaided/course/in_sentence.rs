@@ -1,7 +1,7 @@
 //! A name to which the sentence before a display gives a formula, as the display does: "the heat capacity `C = dU/dT` comes out as"
 //! before `C = …`, "thus `\tau = 2\pi m a b/\ell` and" before `\tau^2 = …`.
 //!
-//! The formula of the sentence may use names that only other formulas of the same paragraph define.
+//! The formula of the sentence may use names that only other formulas of sentences after the last display define.
 
 use crate::check::document::inferred::prose::{body_of, follows_condition};
 use crate::check::unaided::course::Course;
@@ -32,7 +32,7 @@ impl Course<'_, '_> {
             let reading = read_display(&latex, &mut symbols, &model.macros);
             let [Ok(found)] = reading.statements.as_slice() else { continue };
             let [name, formula, ..] = found.members.as_slice() else { continue };
-            let printed = name_of(latex.get(name.span.range())?);
+            let Some(printed) = latex.get(name.span.range()).map(name_of) else { continue };
             let formula = written_out(formula, &defined);
             if let Some(id) = name.as_plain_symbol().filter(|id| id.0 >= known) {
                 defined.push((id, formula));

@@ -65,7 +65,8 @@ impl Course<'_, '_> {
             let reading = read_display(&text, &mut checker.model.symbols.clone(), &checker.model.macros);
             let [Ok(edited)] = reading.statements.as_slice() else { continue };
             let Some((_, edited)) = named(edited) else { continue };
-            if agrees(edited)? {
+            // With another letter it is the same law of another thing: the speed at another height.
+            if has_same_names(formula, edited) && agrees(edited)? {
                 // The slip may be in what the formula of the words uses.
                 if let Some(other) = self.definition_that_explains(&said.formula, formula)? {
                     let message = format!("this is not {}, unless ({other}) is wrong", said.says);
@@ -163,6 +164,12 @@ impl Course<'_, '_> {
         let [Ok(statement)] = reading.statements.as_slice() else { return None };
         statement.members.get(1).filter(|formula| !formula.is_null() && !formula.symbols().is_empty()).cloned()
     }
+}
+
+/// Whether two formulas contain the same names.
+fn has_same_names(a: &Expr, b: &Expr) -> bool {
+    let (a, b) = (a.symbols(), b.symbols());
+    a.iter().all(|name| b.contains(name)) && b.iter().all(|name| a.contains(name))
 }
 
 /// Whether the finding is that a display gives a name a formula.
