@@ -95,6 +95,8 @@ mod unaided_series;
 mod unaided_solutions;
 #[path = "cli/unaided_states.rs"]
 mod unaided_states;
+#[path = "cli/unaided_told.rs"]
+mod unaided_told;
 #[path = "cli/watch.rs"]
 mod watch;
 #[path = "cli/widths.rs"]

@@ -18,6 +18,77 @@ use crate::check::usage::{Usage, names_of};
 /// The fewest names of a formula that is a relation, and no value or special case.
 const FEWEST_RELATED: usize = 3;
 
+/// The words that may stand between a formula in a sentence and a display that follows from it.
+const BETWEEN: [&str; 66] = [
+    "and",
+    "so",
+    "is",
+    "we",
+    "get",
+    "find",
+    "have",
+    "has",
+    "hence",
+    "thus",
+    "therefore",
+    "which",
+    "that",
+    "this",
+    "it",
+    "then",
+    "gives",
+    "yields",
+    "comes",
+    "out",
+    "as",
+    "be",
+    "to",
+    "becomes",
+    "reads",
+    "obtain",
+    "see",
+    "from",
+    "follows",
+    "now",
+    "i.e",
+    "simply",
+    "or",
+    "one",
+    "finds",
+    "gets",
+    "obtains",
+    "by",
+    "differentiation",
+    "explicitly",
+    "the",
+    "result",
+    // other languages
+    "also",
+    "und",
+    "damit",
+    "folgt",
+    "ergibt",
+    "sich",
+    "zu",
+    "wird",
+    "ist",
+    "daraus",
+    "donc",
+    "d'où",
+    "on",
+    "obtient",
+    "trouve",
+    "vaut",
+    "quindi",
+    "si",
+    "ottiene",
+    "vale",
+    "è",
+    "e",
+    "et",
+    "soit",
+];
+
 /// Whether a display is a formula in a sentence.
 pub(super) fn is_inline(notes: &Notes, display: &Display) -> bool {
     notes.inline.contains(&display.span)
@@ -42,7 +113,7 @@ pub(super) fn with_definitions(notes: &Notes, displays: Vec<Display>, macros: &M
 /// The same, where some names are known to be used in sentences.
 fn with_definitions_of(notes: &Notes, displays: Vec<Display>, used: &[Name], macros: &Macros) -> Vec<Display> {
     let usages = names_of(&displays, macros);
-    let mut found = displays;
+    let mut found = displays.clone();
     let mut defined: Vec<String> = Vec::new();
     for span in &notes.inline {
         let Some(display) = formula(notes, *span) else { continue };
@@ -50,8 +121,14 @@ fn with_definitions_of(notes: &Notes, displays: Vec<Display>, used: &[Name], mac
         let authors = found[..at].iter().filter(|display| !is_inline(notes, display)).count();
         let is_sum = || is_sum(&display, &usages, macros) && !follows_condition(notes, *span);
         let name = name(&display, macros).filter(|name| !defined.contains(name));
-        let is_free = |usage: &Usage| (usage.introduced.is_none() || usage.only_a_power) && usage.first + 1 >= authors;
-        let is_told = is_announced(notes, *span) || is_named(notes, *span);
+        // What leads to the next display says what its name is, and the display what that gives.
+        let leads = !follows_condition(notes, *span)
+            && displays.get(authors).is_some_and(|next| leads_to(notes, *span, next.span.start));
+        let is_free = |usage: &Usage| {
+            let is_new = usage.introduced.is_none() || usage.only_a_power || leads && usage.first == authors;
+            is_new && usage.first + 1 >= authors
+        };
+        let is_told = leads || is_announced(notes, *span) || is_named(notes, *span);
         let is_used = |name: &String| used.iter().any(|other| other.to_string() == *name);
         let defines = |name: &String| {
             let usage = usages.iter().find(|usage| usage.name.to_string() == *name);
@@ -114,6 +191,18 @@ fn relates(display: &Display, (usages, authors, is_told): (&[Usage], usize, bool
         && first.is_none_or(is_used)
 }
 
+/// Whether nothing but words that one gives the other stands between a formula in a sentence and a place.
+pub(super) fn leads_to(notes: &Notes, span: Span, place: usize) -> bool {
+    let between = notes.source.text.get(span.end..place).unwrap_or_default();
+    let words = between.split(|c: char| c.is_whitespace() || ",;:".contains(c)).filter(|word| !word.is_empty());
+    let is_allowed = |word: &str| {
+        let word = word.trim_end_matches('.').to_lowercase();
+        let is_reference = ["\\eqref", "\\ref", "("].iter().any(|mark| word.starts_with(mark));
+        word.is_empty() || is_reference || BETWEEN.contains(&word.as_str())
+    };
+    !between.trim_end().contains("\n\n") && words.into_iter().all(is_allowed)
+}
+
 /// The formula in a sentence as a display, if it is one equality.
 fn formula(notes: &Notes, span: Span) -> Option<Display> {
     let body = body_of(notes, span)?;
@@ -126,7 +215,7 @@ fn formula(notes: &Notes, span: Span) -> Option<Display> {
         span,
         body,
         parts: vec![body],
-        text: with_whole_denominators(text),
+        text: as_displayed(text),
         number: None,
         labels: Vec::new(),
         automatic: Vec::new(),
@@ -152,6 +241,30 @@ fn with_known_names(
         Some(member) if members.len() > 1 => Display { text: format!("{name} ={member}"), ..display },
         _ => display,
     }
+}
+
+/// A formula in a line of text with its derivatives as fractions: `dU/dT`, `\partial \ln Z/\partial\beta`.
+fn with_derivatives(text: &str) -> String {
+    const SIGNS: [&str; 2] = ["\\partial", "d"];
+    let ends_a_name = |text: &str| text.ends_with(|c: char| c.is_ascii_alphabetic() || matches!(c, '\\' | '^' | '_'));
+    let derivative = |sign: &str| {
+        let slash =
+            text.match_indices('/').map(|(at, _)| at).find(|at| text[at + 1..].trim_start().starts_with(sign))?;
+        let (before, below) = (&text[..slash], &text[slash + 1..]);
+        let is_sign = |at: &usize| sign != "d" || !ends_a_name(&before[..*at]);
+        let start = before.match_indices(sign).map(|(at, _)| at).filter(is_sign).last()?;
+        let length = below.trim_end().find(|c: char| "=+-,;)".contains(c)).unwrap_or(below.trim_end().len());
+        let (below, after) = below.split_at(length);
+        let above = &before[start..];
+        let is_plain = !above.contains(['=', '+', '/', '(']) && above.trim() != sign;
+        is_plain.then(|| format!("{}\\frac{{{above}}}{{{below}}}{after}", &before[..start]))
+    };
+    SIGNS.iter().find_map(|sign| derivative(sign)).unwrap_or_else(|| text.to_owned())
+}
+
+/// A formula in a line of text as it would be displayed.
+pub(super) fn as_displayed(text: &str) -> String {
+    with_whole_denominators(&with_derivatives(text))
 }
 
 /// A formula with parentheses around what stands directly after a slash: in a line of text `1/k_BT` has k_B T below it. After a

@@ -7,10 +7,12 @@
 //! Offers `weighed`, which changes the findings on displays that contradict each other. Knows `repair` and below.
 
 pub(super) mod premises;
+mod vouched;
 
 use crate::Result;
 use crate::check::document::checker::Checker;
 use crate::check::repair::culprit::is_common;
+use crate::check::unaided::dimensions;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::repair::Repair;
@@ -31,8 +33,12 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
             continue;
         }
         let Some(culprit) = checker.culprit(first + place)? else { continue };
+        // No author means a definition whose terms have different dimensions.
+        if dimensions::are_spoilt(checker, culprit.at, &culprit.repair) {
+            continue;
+        }
         let is_common_here = found[place].repairs.iter().any(|repair| is_common(repair.slip));
-        let is_common_there = is_common(culprit.repair.slip);
+        let is_common_there = is_common(culprit.repair.slip) && !takes_a_root(checker, &culprit.repair);
         let Some(defined) = culprit.at.checked_sub(first) else { continue };
         if is_common_here && !is_common_there {
             continue;
@@ -56,6 +62,16 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
         }
     }
     Ok(())
+}
+
+/// Whether an edit puts a root around what has none, and by that gives a name another dimension.
+fn takes_a_root(checker: &Checker<'_>, repair: &Repair) -> bool {
+    let printed = checker.source.slice(repair.span).trim();
+    repair
+        .replacement
+        .trim()
+        .strip_prefix("\\sqrt{")
+        .is_some_and(|inner| inner.trim_end_matches('}').trim_end() == printed.trim_end_matches('}').trim_end())
 }
 
 /// A definition or a premise, called wrong.

@@ -9,9 +9,11 @@ use crate::Result;
 use crate::check::repair::culprit::is_common;
 use crate::check::repair::ranking::{adds_parentheses, rank};
 use crate::check::repair::suggest::is_in_source;
+use crate::check::unaided::contradictions::vouched;
 use crate::check::unaided::contradictions::{consistent, contradicted, open, refuted, undecided};
 use crate::check::unaided::course::Course;
 use crate::check::unaided::course::examples::LOST_FACTORS;
+use crate::check::unaided::dimensions;
 use crate::check::unaided::premises::{self, Premise, Said};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::{Repair, Shared};
@@ -140,6 +142,7 @@ fn edited(course: &Course<'_, '_>, at: usize, set: &[Premise], premise: &Premise
     let others = set.iter().filter(|other| *other != premise);
     let others: Vec<&Premise> = others.collect();
     let is_formula = matches!(premise.said, Said::Constant(_));
+    let printed = vouched::printed_before(course, premise.at);
     for statement in checker.readings[premise.at].statements.iter().flatten() {
         let span = match (&premise.said, statement.members.last()) {
             (Said::Constant(_), Some(formula)) => formula.span,
@@ -167,6 +170,12 @@ fn edited(course: &Course<'_, '_>, at: usize, set: &[Premise], premise: &Premise
             lost_factors(text, symbols, macros).into_iter().filter(|edit| is_in_source(checker, text, edit, offset)),
         );
         for edit in edits {
+            if vouched::is_reducible(text, &edit)
+                || vouched::is_printed_before(course, premise.at, edit.span.shifted(span.start), &printed)
+                || vouched::parts_two_sides(course, premise.at, statement, edit.span.shifted(span.start), &edit)
+            {
+                continue;
+            }
             let edited = edit.applied(text);
             let edited = if is_formula { premises::is_constant(&edited) } else { edited };
             let said = std::iter::once(edited).chain(beside.iter().cloned());
@@ -180,7 +189,10 @@ fn edited(course: &Course<'_, '_>, at: usize, set: &[Premise], premise: &Premise
             let of = checker.notes.equations[premise.at].id().unwrap_or_default().to_owned();
             let mends = vec![checker.notes.equations[at].id().unwrap_or_default().to_owned()];
             let shared = Some(Shared { of, mends });
-            return Ok(Some(Repair { shared, ..Repair::of(edit, offset, Verdict::Verified) }));
+            let repair = Repair { shared, ..Repair::of(edit, offset, Verdict::Verified) };
+            if !dimensions::are_spoilt(checker, premise.at, &repair) {
+                return Ok(Some(repair));
+            }
         }
     }
     Ok(None)

@@ -7,10 +7,12 @@
 //! Offers `judged`, and `judged_again` where some findings are known already. Knows `gate` and the premises of `unaided`, and `repair` and
 //! below.
 
+mod arguments;
 mod cases;
 pub(super) mod examples;
 mod extrema;
 mod factor;
+mod in_sentence;
 mod restated;
 mod roots;
 mod slips;
@@ -323,7 +325,7 @@ impl Course<'_, '_> {
     }
 
     /// Whether a display contains a name whose definition may be wrong.
-    fn rests_on_doubt(&self, at: usize) -> bool {
+    pub(super) fn rests_on_doubt(&self, at: usize) -> bool {
         let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
         let mut used = members.flat_map(|member| gate::names(member, self.checker.model));
         let uses_it = used.any(|id| self.doubtful.contains(&id));

@@ -11,15 +11,22 @@ use crate::check::unaided::{gate, inline, prose};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
-use crate::formula::{Expr, SymbolId, text};
+use crate::formula::{Expr, Node, SymbolId, text};
 use crate::latex::read_display;
 
 /// Words for a sum.
 const SUM: [&str; 5] = ["sum is", "summe ist", "somme est", "somma è", "suma es"];
 
+/// What the words say of a name.
+pub(super) struct Restated {
+    pub said: Special,
+    /// Whether nothing stands between the words and the display but that the one gives the other.
+    pub is_direct: bool,
+}
+
 impl Course<'_, '_> {
     /// The finding on a display that gives a formula to a name, if the words before it say what the name is.
-    pub(super) fn restated(&self, at: usize, found: &Equation) -> Result<Option<Equation>> {
+    pub(super) fn restated(&mut self, at: usize, found: &Equation) -> Result<Option<Equation>> {
         let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
         let [Ok(statement)] = checker.readings[at].statements.as_slice() else { return Ok(None) };
         let Some((name, formula)) = named(statement).filter(|(_, formula)| !formula.symbols().is_empty()) else {
@@ -28,20 +35,66 @@ impl Course<'_, '_> {
         if inline::is_inline(checker.notes, display) || found.finding.verdict.passes() && !is_definition(found) {
             return Ok(None);
         }
-        let Some(said) = self.sum(at, name) else { return Ok(None) };
+        let restated = self.sum(at, name).or_else(|| self.formula_in_sentence(at, statement));
+        let Some(Restated { said: Special { value, says }, is_direct }) = restated else { return Ok(None) };
         let agrees = |formula: &Expr| -> Result<bool> {
-            Ok(self.constant_ratio(&said.value, formula)?.is_some_and(|ratio| (ratio - 1.0).abs() < ROUNDING))
+            Ok(self.constant_ratio(&value, formula)?.is_some_and(|ratio| (ratio - 1.0).abs() < ROUNDING))
         };
         if agrees(formula)? {
-            let verdict = (Verdict::Verified, Code::Holds);
-            return Ok(Some(gate::settled(found, verdict, format!("this is {}", said.says))));
+            return Ok(Some(gate::settled(found, (Verdict::Verified, Code::Holds), format!("this is {says}"))));
+        }
+        if !is_direct {
+            return Ok(None);
         }
         let words = prose::before(checker.notes, at);
         let is_general = !words.other_case && !words.announced.is_supposed();
         if !is_general {
             return Ok(None);
         }
-        self.one_edit_from(at, found, formula, (&said.says, &agrees))
+        // With another letter it is the same law of another thing: the speed at another height.
+        let is_meant = |edited: &Expr| Ok(has_same_names(formula, edited) && agrees(edited)?);
+        if let Some(wrong) = self.one_edit_from(at, found, formula, (&says, &is_meant))? {
+            // The slip may be in what the formula of the words uses.
+            return Ok(Some(match self.definition_that_explains(&value, formula)? {
+                Some(other) => {
+                    let message = format!("this is not {says}, unless ({other}) is wrong");
+                    gate::settled(found, (Verdict::Undecided, Code::NotDecided), message)
+                }
+                None => wrong,
+            }));
+        }
+        // What rests on this name rests on a formula that may be wrong.
+        self.doubtful.push(name);
+        Ok(None)
+    }
+
+    /// The name of a display with a definition, where a likely slip in it explains why a formula that uses it is not equal to another
+    /// one.
+    fn definition_that_explains(&self, uses: &Expr, other: &Expr) -> Result<Option<String>> {
+        let checker = self.checker;
+        let used = gate::names(uses, checker.model);
+        for (place, display) in checker.notes.equations.iter().enumerate() {
+            let is_used = |id: &SymbolId| checker.readings[place].introduced.iter().any(|new| new.symbol == *id);
+            if inline::is_inline(checker.notes, display) || !used.iter().any(is_used) {
+                continue;
+            }
+            for edit in self.edits_with_factors(place, None) {
+                let text = edit.applied(&display.text);
+                let reading = read_display(&text, &mut checker.model.symbols.clone(), &checker.model.macros);
+                for (name, formula) in reading.statements.iter().flatten().filter_map(named) {
+                    let mut edited = uses.clone();
+                    edited.substitute(&|node| match node {
+                        Node::Symbol { id, dots: 0, .. } if *id == name => Some(formula.clone()),
+                        _ => None,
+                    });
+                    let ratio = self.constant_ratio(&edited, other)?;
+                    if edited != *uses && ratio.is_some_and(|ratio| (ratio - 1.0).abs() < ROUNDING) {
+                        return Ok(display.id().map(str::to_owned));
+                    }
+                }
+            }
+        }
+        Ok(None)
     }
 
     /// The displays directly before a display, the last first: the rows of one block, with no words between them.
@@ -62,7 +115,7 @@ impl Course<'_, '_> {
     }
 
     /// The sum of the quantities directly before a display, if the sentence says that it is their sum: W of W_i and W_o.
-    fn sum(&self, at: usize, name: SymbolId) -> Option<Special> {
+    fn sum(&self, at: usize, name: SymbolId) -> Option<Restated> {
         let (checker, model) = (self.checker, self.checker.model);
         let sentence = prose::sentence(checker.notes, at).to_lowercase();
         let own = &model.symbols.entry(name).name;
@@ -81,8 +134,9 @@ impl Course<'_, '_> {
             }
         }
         let sum = terms.join(" + ");
-        let formula = self.read_formula(&sum).filter(|_| terms.len() > 1)?;
-        Some(Special { value: formula, says: format!("{}, the sum of which the words speak", text::plain(&sum)) })
+        let value = self.read_formula(&sum).filter(|_| terms.len() > 1)?;
+        let says = format!("{}, the sum of which the words speak", text::plain(&sum));
+        Some(Restated { said: Special { value, says }, is_direct: true })
     }
 
     /// A formula by its LaTeX, if it moves or has letters.
@@ -93,6 +147,12 @@ impl Course<'_, '_> {
         let [Ok(statement)] = reading.statements.as_slice() else { return None };
         statement.members.get(1).filter(|formula| !formula.is_null() && !formula.symbols().is_empty()).cloned()
     }
+}
+
+/// Whether two formulas contain the same names.
+fn has_same_names(a: &Expr, b: &Expr) -> bool {
+    let (a, b) = (a.symbols(), b.symbols());
+    a.iter().all(|name| b.contains(name)) && b.iter().all(|name| a.contains(name))
 }
 
 /// Whether the finding is that a display gives a name a formula.

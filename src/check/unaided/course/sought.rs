@@ -36,6 +36,9 @@ impl Course<'_, '_> {
         if found.finding.verdict == Verdict::Refuted && self.lost_derivative(at) {
             return Ok(Some(gate::left_open(found.clone())));
         }
+        if self.rests_on_doubt(at) {
+            return Ok(None);
+        }
         self.nearly(at, found)
     }
 

@@ -43,7 +43,8 @@ impl Course<'_, '_> {
         let is_equal = |a: &Expr, b: &Expr| -> Result<bool> {
             Ok(self.constant_ratio(a, b)?.is_some_and(|ratio| (ratio - 1.0).abs() < ROUNDING))
         };
-        let specials = self.specials(at, name, formula);
+        let mut specials = self.specials(at, name, formula);
+        specials.extend(self.at_argument(at, name));
         for Special { value, says } in &specials {
             if is_equal(value, formula)? {
                 return Ok(Some(gate::settled(found, (Verdict::Verified, Code::Holds), format!("this is {says}"))));

@@ -23,8 +23,18 @@ const FAR_BACK: usize = 8;
 const GOES_ON: usize = 3;
 
 /// Words that suppose nothing, though they contain others that do, and what they say.
-const SUPPOSES_NOTHING: [(&str, &str); 6] = [
+const SUPPOSES_NOTHING: [(&str, &str); 14] = [
     ("in other words", "that is"),
+    // The order of an equation is no approximation.
+    ("equation of first order", "equation"),
+    ("equation of the first order", "equation"),
+    ("equations of first order", "equations"),
+    ("first order equation", "equation"),
+    ("first order differential", "differential"),
+    // In Italian it is no "if" before a verb.
+    (" si ottien", " ottien"),
+    (" si trova", " trova"),
+    (" si ha ", " ha "),
     ("smaller ", "lesser "),
     ("each other", "both"),
     ("one by the other", "both"),
