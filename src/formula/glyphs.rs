@@ -161,7 +161,7 @@ fn alphabet(command: &str, inner: &str) -> Option<char> {
 }
 
 /// The commands that print one character, without the backslash.
-const LETTERS: [(&str, char); 130] = [
+const LETTERS: [(&str, char); 131] = [
     ("sum", 'Σ'),
     ("prod", 'Π'),
     ("int", '∫'),
@@ -287,6 +287,7 @@ const LETTERS: [(&str, char); 130] = [
     ("gtrsim", '≳'),
     ("iiint", '∭'),
     ("oiint", '∯'),
+    ("varpi", 'ϖ'),
     ("vert", '|'),
     ("Vert", '‖'),
     ("therefore", '∴'),

@@ -303,7 +303,15 @@ impl Evidence {
         let is_list = ["\\pi", "\\epsilon"].contains(&name.base.as_str()) && arguments.len() > 1;
         let is_distribution =
             name.base.starts_with("\\delta^{(") || name.base == "\\delta" && found.sup.is_some_and(is_dimension);
-        if never.contains(&name.base.as_str()) && !is_list && !(is_distribution && delimiter == Delimiter::Round) {
+        // `e(t) = r(t) - y(t)`: the error of a control.
+        let is_signal = name.base == "e"
+            && is_side
+            && matches!(arguments.as_slice(), [only] if self.plain(only) == self.time.as_ref().map(ToString::to_string));
+        if never.contains(&name.base.as_str())
+            && !is_signal
+            && !is_list
+            && !(is_distribution && delimiter == Delimiter::Round)
+        {
             return;
         }
         let plain: Option<Vec<String>> = arguments.iter().map(|argument| self.plain(argument)).collect();

@@ -283,7 +283,8 @@ fn glyph(sign: Sign) -> &'static str {
 
 /// Whether a command is a letter, such as `\theta`.
 pub fn is_letter(command: &str) -> bool {
-    const LETTERS: [&str; 46] = [
+    const LETTERS: [&str; 47] = [
+        "varpi",
         "alpha",
         "beta",
         "gamma",

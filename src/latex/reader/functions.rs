@@ -15,6 +15,11 @@ use super::items::{
 };
 use super::state::{Read, Reader};
 
+/// Whether a letter usually is an angle.
+fn is_letter_of_an_angle(name: &Name) -> bool {
+    ["\\theta", "\\vartheta", "\\phi", "\\varphi", "\\alpha", "\\beta"].contains(&name.base.as_str())
+}
+
 /// The items that could be the argument of a function.
 struct Run {
     /// One past the last of them.
@@ -202,7 +207,12 @@ impl Reader<'_> {
             }
             let entry = self.symbols.find(&printed.name).map(|(id, _)| self.symbols.entry(id));
             let (angle, varies) = entry.map_or((false, false), |entry| (entry.angle, entry.varies));
-            let is_angle = angle && printed.dots == 0;
+            // `v_0\cos\theta\,t`: without declarations a usual angle before a thin space ends the argument.
+            let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
+            let is_usual = self.symbols.open
+                && is_letter_of_an_angle(&printed.name)
+                && items.get(run.end + 1).is_some_and(is_space);
+            let is_angle = (angle || is_usual) && printed.dots == 0;
             run.symbols.push((is_angle, printed.name));
             run.is_rate = printed.dots > 0;
             run.end += 1;

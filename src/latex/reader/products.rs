@@ -58,6 +58,17 @@ impl Factors {
         Ok(())
     }
 
+    /// Takes a factor of the denominator after a slash.
+    fn divide(&mut self, factor: Expr) {
+        let quotient = self.runs.last_mut().and_then(|(_, run)| run.last_mut());
+        if let Some(Expr { node: Node::Quotient(_, below), span }) = quotient {
+            *span = span.to(factor.span);
+            let first = std::mem::replace(below.as_mut(), Expr::integer(1, factor.span));
+            **below = beside(vec![first, factor]);
+        }
+        self.after_slash = None;
+    }
+
     /// Takes a factor, which begins with the item at `first`.
     fn push(&mut self, factor: Expr, first: Span) {
         if matches!(self.next, Joint::CDot | Joint::Times) {
@@ -112,6 +123,12 @@ impl Reader<'_> {
             if let Some(found) = joint(item) {
                 factors.join(found, items, cursor)?;
                 cursor += 1;
+                continue;
+            }
+            let infers = self.symbols.open || self.symbols.guessed;
+            if infers && factors.next == Joint::Beside && slashes::is_over_turns(items, cursor) {
+                let (factor, _) = self.factor(items, &mut cursor)?;
+                factors.divide(factor);
                 continue;
             }
             if let (Joint::Beside, Some(slash)) = (factors.next, factors.after_slash) {

@@ -3,6 +3,7 @@
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Item, Layout, typed};
+use super::super::names;
 use super::items::{Joint, contents, differential, joint};
 
 /// The most characters of a text that is quoted. Of a longer one the letters a, b and c stand for the parts.
@@ -26,6 +27,19 @@ pub(super) fn before_a_product(items: &[Item], span: Span, next: usize) -> Fault
     }
     Fault::ambiguous(span, format!("{whole} may be {above}/({product}) or ({above}/{below}){rest}"))
         .help(format!("write \\frac{{{above}}}{{{product}}} or \\frac{{{above}}}{{{below}}}{rest}"))
+}
+
+/// Whether π at a place ends the denominator of a letter over a whole number of turns: `h/2\pi`. Of 1/2π both readings are usual.
+pub(super) fn is_over_turns(items: &[Item], at: usize) -> bool {
+    let is_space = |item: &&Item| matches!(item.layout, Layout::Space(_));
+    let mut before = items[..at].iter().rev().filter(|item| !is_space(item));
+    let is_even = |item: &Item| matches!(&item.layout, Layout::Number(digits) if digits == "2" || digits == "4");
+    let is_slash = |item: &Item| joint(item) == Some(Joint::Slash);
+    items[at].layout == Layout::Command("\\pi".to_owned())
+        && before.next().is_some_and(is_even)
+        && before.next().is_some_and(is_slash)
+        && before.next().is_some_and(|item| names::printed(item, None).is_some())
+        && items[at + 1..].iter().all(|item| is_space(&item))
 }
 
 /// `d/dt (m v)`: a derivative on one line.

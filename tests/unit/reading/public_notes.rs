@@ -311,3 +311,14 @@ fn values_and_letters_beside_their_own_name_are_no_functions() {
     ]);
     are_refused(&["H = t[j][k]", "a = Z[J,K]"]);
 }
+
+#[test]
+fn a_thin_space_ends_the_angle_and_turns_stay_below_the_slash() {
+    are_read(&[
+        ("x = v_0\\cos\\theta\\,t", "x = v_0·cos(θ)·t"),
+        ("f = \\omega/2\\pi", "f = ω/(2·π)"),
+        ("p = P_0(V - V_0)", "p = P_0·(V − V_0)"),
+        ("e(t) = a - b", "e(t) = a − b"),
+    ]);
+    are_refused(&["x = \\cos\\omega\\,t", "f = 1/2\\pi", "f = \\omega/2\\pi x"]);
+}

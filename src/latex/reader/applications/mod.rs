@@ -382,7 +382,11 @@ impl Reader<'_> {
         // `U_0(1 - x/a)`, `V_0(x - a)^2`: a value, and no function of a number.
         let terms: Vec<&[&Item]> = inside.split(|item| self.is_sign(item)).collect();
         let has_number = terms.iter().any(|term| matches!(term, [Item { layout: Layout::Number(_), .. }]));
-        if name.subscript == ["0"] && name.primes == 0 && inside.len() > 1 && (has_number || is_powered) {
+        // So are `P_0(V - V_0)`, but not a Bessel function.
+        let is_bessel = ["J", "Y", "K", "I", "N"].contains(&name.base.as_str());
+        let is_sum_here = !is_bessel && terms.len() > 1;
+        if name.subscript == ["0"] && name.primes == 0 && inside.len() > 1 && (has_number || is_powered || is_sum_here)
+        {
             return Ok(());
         }
         // `P_0 \left(\frac{T}{T_0}\right)^\chi`: a value to which a power of a ratio is a factor.
@@ -410,7 +414,10 @@ impl Reader<'_> {
             && name.primes == 0
             && match delimiter {
                 Delimiter::Curly => name.base.chars().all(char::is_alphabetic),
-                Delimiter::Square => COEFFICIENTS.contains(&name.base.as_str()) && holds(&is_enclosed),
+                // `H_0^2[\Omega_m + \Omega_r]`
+                Delimiter::Square => {
+                    COEFFICIENTS.contains(&name.base.as_str()) && holds(&is_enclosed) || name.subscript == ["0"]
+                }
                 _ => false,
             }
     }
