@@ -5,6 +5,7 @@
 //! | --- | --- |
 //! | `values` | formulas that stand for one name |
 //! | `letters` | what h, i and hats mean |
+//! | `ordered` | vectors and matrices in plain letters |
 //! | `inference` | the claims file that is inferred |
 //! | `scopes` | where a letter gets another meaning |
 //! | `corrections` | what the author changed in the inferred file |
@@ -19,5 +20,6 @@ pub(super) mod corrections;
 pub(super) mod draft;
 pub(super) mod inference;
 mod letters;
+pub(super) mod ordered;
 pub(super) mod scopes;
 mod values;
