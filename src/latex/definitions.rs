@@ -6,7 +6,7 @@
 //! before it, one by one: `… \equiv \vec L_{orb} + \vec L_{spin}`.
 
 use crate::formula::shape::{self, Shape, Type};
-use crate::formula::symbols::{Kind, Name, SymbolId, Symbols};
+use crate::formula::symbols::{Entry, Kind, Name, SymbolId, Symbols};
 use crate::formula::tree::{Expr, Index, IndexId, Node, Sign, Term, Variable};
 use crate::source::{Fault, Span};
 use crate::suggest::declaration;
@@ -337,7 +337,12 @@ fn one(
         _ => None,
     };
     if let Some((kind, _)) = kind {
-        let is_marked = |id: SymbolId| symbols.entry(id).kind == Kind::Vector && !is_plain(&symbols.entry(id).name);
+        // A name that the statement adds too is not in the table yet.
+        let entries: Vec<(SymbolId, &Entry)> = symbols.iter().collect();
+        let is_marked = |id: SymbolId| {
+            let entry = entries.iter().find(|(known, _)| *known == id).map(|(_, entry)| *entry);
+            entry.is_none_or(|entry| entry.kind == Kind::Vector && !is_plain(&entry.name))
+        };
         let has_marks = source.symbols().is_empty() || source.symbols().into_iter().any(|(id, _)| is_marked(id));
         as_printed(&name, span, kind, has_marks)?;
     }
