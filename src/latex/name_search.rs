@@ -63,7 +63,9 @@ fn stands_alone(text: &str, name: &str, macros: &Macros, may_be_later: bool) -> 
         // Of `\lambda^2 x` the power is a factor.
         let after_power = text[at + name.len()..].iter().skip(1).find(|kind| !matches!(kind, TokenKind::Digit(_)));
         let is_later = before.is_some_and(is_relation);
-        ends(before) && (may_be_later || !is_later) && (ends(after) || after == Some(&TokenKind::Super) && ends(after_power))
+        ends(before)
+            && (may_be_later || !is_later)
+            && (ends(after) || after == Some(&TokenKind::Super) && ends(after_power))
     };
     !name.is_empty() && (0..text.len()).any(|at| text[at..].starts_with(&name) && stands_alone(at))
 }

@@ -20,9 +20,8 @@ pub(crate) fn is_energy(name: &Name) -> bool {
 pub(crate) fn only_named<'t>(texts: impl Iterator<Item = &'t str>, macros: &Macros) -> Vec<usize> {
     let read: Vec<Option<Sum>> = texts.map(|text| Sum::of(text, macros)).collect();
     let given: Vec<&Name> = read.iter().flatten().map(|sum| &sum.of).collect();
-    let is_open = |terms: &Vec<Name>| {
-        !terms.is_empty() && terms.iter().all(|term| is_energy(term) && !given.contains(&term))
-    };
+    let is_open =
+        |terms: &Vec<Name>| !terms.is_empty() && terms.iter().all(|term| is_energy(term) && !given.contains(&term));
     let open = read.iter().enumerate().filter(|(_, sum)| {
         sum.as_ref().is_some_and(|sum| is_energy(&sum.of) && sum.terms.as_ref().is_some_and(is_open))
     });
@@ -42,9 +41,8 @@ impl Sum {
         // Most displays need no further look.
         text.contains('=').then_some(())?;
         let items = typeset_items(text, macros).ok()?;
-        let is_mark = |item: &&Item| {
-            !matches!(item.layout, Layout::Space(_) | Layout::Align | Layout::Other('.' | ',' | ';'))
-        };
+        let is_mark =
+            |item: &&Item| !matches!(item.layout, Layout::Space(_) | Layout::Align | Layout::Other('.' | ',' | ';'));
         let mut items = items.iter().filter(is_mark);
         let of = names::printed(items.next()?, None).filter(|printed| printed.dots == 0)?.name;
         // `V(x) = …` gives V a formula.

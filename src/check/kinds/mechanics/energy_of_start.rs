@@ -39,12 +39,7 @@ pub(crate) fn holds(link: &Link, context: &Context<'_>) -> Result<Option<bool>> 
     // At rest the energy is −L.
     let span = Span::default();
     let minus = Node::Sum(vec![Term { sign: Sign::Minus, sign_span: None, expr: at_rest }]);
-    let energy = Link {
-        lhs: symbol(id),
-        relation: Relation::Equal,
-        rhs: Expr::new(minus, span),
-        free: Vec::new(),
-    };
+    let energy = Link { lhs: symbol(id), relation: Relation::Equal, rhs: Expr::new(minus, span), free: Vec::new() };
     let is_start = |known: &&Hypothesis| start(known, model).is_none();
     let others = context.hypotheses.iter().filter(is_start).cloned();
     let implied = |known: Hypothesis| Hypothesis { implied: true, ..known };
@@ -76,8 +71,12 @@ fn lagrangian_at_rest(context: &Context<'_>) -> Option<Expr> {
         let rate = starts.iter().find(|(known, dots, _)| known == id && *dots == 1);
         rate.is_some_and(|(.., value)| value.is_null())
     };
-    let moving: Vec<SymbolId> =
-        formula.symbols().into_iter().filter(|(id, dots)| *dots > 0 && coordinates.contains(id)).map(|(id, _)| id).collect();
+    let moving: Vec<SymbolId> = formula
+        .symbols()
+        .into_iter()
+        .filter(|(id, dots)| *dots > 0 && coordinates.contains(id))
+        .map(|(id, _)| id)
+        .collect();
     // What constraints hold in its place rests too.
     let is_fixed = |id: &SymbolId| !starts.iter().any(|(known, ..)| known == id) && !model.constraints.is_empty();
     if moving.is_empty() || !moving.iter().all(|id| is_at_rest(id) || is_fixed(id)) || model.contains_time(&formula) {

@@ -17,11 +17,11 @@ use crate::notes::{Claims, Display, Notes, claims_beside};
 use crate::source::{Missing, Source, Span};
 
 use crate::check::document::checker::Checker;
-use crate::check::document::inferred::open_energies;
 use crate::check::document::setup::{Run, define_macros, with_checker};
 use crate::check::document::unreadable::faults;
 use crate::check::model::Model;
 use crate::check::model::meaning::Variable;
+use crate::check::unaided::guess::lagrangian;
 use crate::check::unaided::guess::letters::{self, is_reserved, is_reserved_name};
 use crate::check::unaided::guess::ordered::{self, Ordered};
 use crate::check::unaided::guess::values::{self, Value as OneValue};
@@ -56,7 +56,7 @@ pub(crate) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
     let usages = names_of(&notes.equations, &macros);
-    let lagrangian = lagrangian(notes, &usages, &macros);
+    let lagrangian = lagrangian::of(notes, &usages, &macros);
     let ordered = ordered::letters(notes, &macros);
     let plain = by_letters(run, notes, (&macros, &usages), lagrangian, &[])?;
     if ordered.is_empty() {
@@ -66,7 +66,8 @@ pub(crate) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
     // few that cannot be read may be wrong.
     let with_letters = by_letters(run, notes, (&macros, &usages), lagrangian, &ordered)?;
     let is_about = |usage: &&Usage| ordered.iter().any(|letter| letter.name == usage.name);
-    let count = |display: &Display| names_of(std::slice::from_ref(display), &macros).iter().any(|usage| is_about(&usage));
+    let count =
+        |display: &Display| names_of(std::slice::from_ref(display), &macros).iter().any(|usage| is_about(&usage));
     let lost = unread(run, notes, &with_letters).saturating_sub(unread(run, notes, &plain));
     let is_better = LOST * lost <= notes.equations.iter().filter(|display| count(display)).count();
     Ok(if is_better { with_letters } else { plain })
@@ -74,9 +75,8 @@ pub(crate) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
 
 /// The number of displays that cannot be read with some claims.
 fn unread(run: &Run<'_>, notes: &Notes, claims: &Claims) -> usize {
-    let count = |checker: Checker<'_>| {
-        Ok(checker.readings.iter().filter(|reading| faults(reading).next().is_some()).count())
-    };
+    let count =
+        |checker: Checker<'_>| Ok(checker.readings.iter().filter(|reading| faults(reading).next().is_some()).count());
     with_checker(run, claims, notes, count).unwrap_or(usize::MAX)
 }
 
@@ -188,44 +188,6 @@ fn missing(readings: &[crate::latex::Reading]) -> Vec<String> {
         _ => None,
     };
     readings.iter().flat_map(|reading| faults(reading).filter_map(of).collect::<Vec<_>>()).collect()
-}
-
-/// The name of the Lagrangian, if a display defines one, and the notes speak of it, differentiate it, or square a rate in it: an
-/// angular momentum has no such square.
-fn lagrangian<'u>(notes: &Notes, usages: &'u [Usage], macros: &Macros) -> Option<&'u Name> {
-    let texts = || notes.equations.iter().map(|display| display.text.as_str());
-    let open = open_energies::only_named(texts(), macros);
-    // `L = T - V` alone is no formula for it.
-    let has_formula = |usage: &Usage| {
-        open.is_empty() || {
-            let mut others = texts().enumerate().filter(|(at, _)| !open.contains(at));
-            let name = usage.name.to_string();
-            others.any(|(_, text)| text.trim_start().strip_prefix(&name).is_some_and(|rest| rest.contains('=')))
-        }
-    };
-    let text = &notes.source.text;
-    let is_spoken_of = text.contains("agrangian") || text.contains("Euler--Lagrange") || text.contains("\\partial L");
-    let is_it = |usage: &&Usage| {
-        ["L", "\\mathcal{L}"].contains(&usage.name.base.as_str()) && usage.name.subscript.is_empty() && defined(usage)
-    };
-    let moves = usages.iter().any(|usage| usage.moves);
-    let is_kinetic = |usage: &&Usage| {
-        usage.introduced.and_then(|at| notes.equations.get(at)).is_some_and(|display| squares_a_rate(&display.text))
-    };
-    usages.iter().find(is_it).filter(|usage| moves && (is_spoken_of || is_kinetic(usage)) && has_formula(usage)).map(|usage| &usage.name)
-}
-
-/// Whether a text has a dotted name with the power 2: `\dot x^2`, `\dot{\theta}_1^{2}`.
-fn squares_a_rate(text: &str) -> bool {
-    text.split("\\dot").skip(1).any(|after| {
-        let after = after.trim_start_matches(['{', ' ']);
-        let name = after.trim_start_matches('\\').trim_start_matches(|c: char| c.is_ascii_alphabetic());
-        let script = name.trim_start_matches('}').trim_start();
-        let script = script.strip_prefix('_').map_or(script, |index| {
-            index.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || "{}\\".contains(c))
-        });
-        script.starts_with("^2") || script.starts_with("^{2}")
-    })
 }
 
 /// A coordinate that is a multiple of another one, x = Rφ, where the Lagrangian is differentiated by the first.

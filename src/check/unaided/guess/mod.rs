@@ -4,6 +4,7 @@
 //! | file | what it has |
 //! | --- | --- |
 //! | `values` | formulas that stand for one name |
+//! | `lagrangian` | which name is the Lagrangian |
 //! | `letters` | what h, i and hats mean |
 //! | `ordered` | vectors and matrices in plain letters |
 //! | `inference` | the claims file that is inferred |
@@ -19,6 +20,7 @@ pub(super) mod corrections;
 #[cfg(feature = "cli")]
 pub(super) mod draft;
 pub(super) mod inference;
+mod lagrangian;
 mod letters;
 pub(super) mod ordered;
 pub(super) mod scopes;

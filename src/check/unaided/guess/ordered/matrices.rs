@@ -4,8 +4,8 @@
 //! after it is a column. What else is a capital in a product or a sum with matrices is one too: whatever holds for all square
 //! matrices holds for columns in their place.
 
-use crate::check::document::inferred::prose::body_of;
 use super::{Ordered, each_list, plain, solid};
+use crate::check::document::inferred::prose::body_of;
 use crate::formula::symbols::Name;
 use crate::latex::layout::{Item, Layout, typeset_items};
 use crate::latex::{Macros, names};
@@ -80,9 +80,7 @@ fn capital(item: &Item) -> Option<Name> {
 fn small(item: &Item) -> Option<Name> {
     let is_power = names::printed(item, None).is_some_and(|printed| printed.sup.is_some());
     plain(item).filter(|name| {
-        !is_power
-            && (matches!(name.base.as_bytes(), [b'a'..=b'z']) || name.base.starts_with('\\'))
-            && name.base != "t"
+        !is_power && (matches!(name.base.as_bytes(), [b'a'..=b'z']) || name.base.starts_with('\\')) && name.base != "t"
     })
 }
 
@@ -90,7 +88,9 @@ fn small(item: &Item) -> Option<Name> {
 fn uses_letter(displays: &[Vec<Item>], letter: &str) -> bool {
     let mut found = false;
     for items in displays {
-        each_list(items, &mut |list| found |= list.iter().filter_map(|item| plain(item)).any(|name| name.base == letter));
+        each_list(items, &mut |list| {
+            found |= list.iter().filter_map(|item| plain(item)).any(|name| name.base == letter)
+        });
     }
     found
 }

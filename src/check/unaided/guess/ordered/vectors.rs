@@ -103,9 +103,10 @@ fn shows(items: &[Item]) -> bool {
     let mut found = false;
     each_list(items, &mut |list| {
         let is_nested = |item: &&Item| parenthesis(item).is_some_and(has_cross);
-        found |= joined(list, is_dot) || list.windows(2).any(|part| {
-            is_cross(part[0]) && is_nested(&part[1]) || is_cross(part[1]) && is_nested(&part[0])
-        });
+        found |= joined(list, is_dot)
+            || list
+                .windows(2)
+                .any(|part| is_cross(part[0]) && is_nested(&part[1]) || is_cross(part[1]) && is_nested(&part[0]));
     });
     found
 }
