@@ -77,8 +77,14 @@ fn lagrangian_at_rest(context: &Context<'_>) -> Option<Expr> {
         .filter(|(id, dots)| *dots > 0 && coordinates.contains(id))
         .map(|(id, _)| id)
         .collect();
-    // What constraints hold in its place rests too.
-    let is_fixed = |id: &SymbolId| !starts.iter().any(|(known, ..)| known == id) && !model.constraints.is_empty();
+    // What a constraint of its own holds in its place rests too.
+    let is_fixed = |id: &SymbolId| {
+        let mut constraints = printed.constraints.iter().map(|(_, formula)| formula);
+        constraints.any(|formula| {
+            let others: Vec<SymbolId> = coordinates.iter().copied().filter(|other| other != id).collect();
+            model.depends_on(formula, &[*id]) && !model.depends_on(formula, &others)
+        })
+    };
     if moving.is_empty() || !moving.iter().all(|id| is_at_rest(id) || is_fixed(id)) || model.contains_time(&formula) {
         return None;
     }
@@ -91,7 +97,9 @@ fn lagrangian_at_rest(context: &Context<'_>) -> Option<Expr> {
         }
         _ => None,
     });
-    Some(formula)
+    // A coordinate of which nothing says where it starts may be anywhere.
+    let is_open = |id: &SymbolId| coordinates.contains(id) && !is_fixed(id);
+    (!formula.symbols().iter().any(|(id, _)| is_open(id))).then_some(formula)
 }
 
 /// The formula of a name that moves with coordinates.
