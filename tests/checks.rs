@@ -65,6 +65,8 @@ mod small;
 mod solutions_of_laws;
 #[path = "checks/special_cases.rs"]
 mod special_cases;
+#[path = "checks/starts.rs"]
+mod starts;
 #[path = "checks/steady.rs"]
 mod steady;
 #[path = "checks/steps.rs"]

@@ -79,6 +79,8 @@ mod unaided_contradictions;
 mod unaided_differentials;
 #[path = "cli/unaided_letters.rs"]
 mod unaided_letters;
+#[path = "cli/unaided_ordered.rs"]
+mod unaided_ordered;
 #[path = "cli/unaided_places.rs"]
 mod unaided_places;
 #[path = "cli/unaided_premises.rs"]

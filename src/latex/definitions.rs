@@ -6,7 +6,7 @@
 //! before it, one by one: `… \equiv \vec L_{orb} + \vec L_{spin}`.
 
 use crate::formula::shape::{self, Shape, Type};
-use crate::formula::symbols::{Kind, Name, SymbolId, Symbols};
+use crate::formula::symbols::{Entry, Kind, Name, SymbolId, Symbols};
 use crate::formula::tree::{Expr, Index, IndexId, Node, Sign, Term, Variable};
 use crate::source::{Fault, Span};
 use crate::suggest::declaration;
@@ -337,7 +337,14 @@ fn one(
         _ => None,
     };
     if let Some((kind, _)) = kind {
-        as_printed(&name, span, kind)?;
+        // A name that the statement adds too is not in the table yet.
+        let entries: Vec<(SymbolId, &Entry)> = symbols.iter().collect();
+        let is_marked = |id: SymbolId| {
+            let entry = entries.iter().find(|(known, _)| *known == id).map(|(_, entry)| *entry);
+            entry.is_none_or(|entry| entry.kind == Kind::Vector && !is_plain(&entry.name))
+        };
+        let has_marks = source.symbols().is_empty() || source.symbols().into_iter().any(|(id, _)| is_marked(id));
+        as_printed(&name, span, kind, has_marks)?;
     }
     let Some((kind, shape)) = kind else {
         return Err(match left == right {
@@ -360,12 +367,17 @@ fn one(
     Ok((member, Type { shape, free }, New { name, kind, slots, squared: false, arguments: Vec::new(), formula }))
 }
 
-/// Rejects a vector with the name of a number, and a number with the name of a vector.
-fn as_printed(name: &Name, span: Span, kind: Kind) -> Result<(), Fault> {
+/// Whether a name has no mark of a vector.
+fn is_plain(name: &Name) -> bool {
+    !name.base.replace("\\bar{", "").replace("\\tilde{", "").replace("\\mathrm{", "").contains('{')
+}
+
+/// Rejects a vector with the name of a number, and a number with the name of a vector. Where the notes mark none of the vectors in
+/// a formula, they need not mark its name: `\tau = r \times F`.
+fn as_printed(name: &Name, span: Span, kind: Kind, has_marks: bool) -> Result<(), Fault> {
     let has = |marks: &[&str]| marks.iter().any(|mark| name.base.contains(mark));
-    let plain = !name.base.replace("\\bar{", "").replace("\\tilde{", "").replace("\\mathrm{", "").contains('{');
     match kind {
-        Kind::Vector if plain => {
+        Kind::Vector if is_plain(name) && has_marks => {
             let message = format!("{name} is printed as a number, but the other side is a vector");
             Err(Fault::shape(span, message).help("put an arrow on the name, or the bars of a norm around the vector"))
         }

@@ -26,6 +26,16 @@ pub fn mentions(text: &str, name: &str, macros: &Macros) -> bool {
 
 /// Whether a name, or a whole power of it, is a whole side of a relation in a text, so that the text may define it.
 pub fn is_a_side(text: &str, name: &str, macros: &Macros) -> bool {
+    stands_alone(text, name, macros, true)
+}
+
+/// Whether a name, or a whole power of it, is the first side of a relation in a text.
+pub fn is_the_first_side(text: &str, name: &str, macros: &Macros) -> bool {
+    stands_alone(text, name, macros, false)
+}
+
+/// Whether a name, or a whole power of it, is a whole side of a relation, or only the first one.
+fn stands_alone(text: &str, name: &str, macros: &Macros, may_be_later: bool) -> bool {
     let is_relation = |kind: &TokenKind| match kind {
         TokenKind::Other(c) => *c == '=',
         TokenKind::Command(command) => command == "\\equiv",
@@ -52,7 +62,10 @@ pub fn is_a_side(text: &str, name: &str, macros: &Macros) -> bool {
         let ends = |kind: Option<&TokenKind>| kind.is_none_or(|kind| is_relation(kind) || is_edge(kind));
         // Of `\lambda^2 x` the power is a factor.
         let after_power = text[at + name.len()..].iter().skip(1).find(|kind| !matches!(kind, TokenKind::Digit(_)));
-        ends(before) && (ends(after) || after == Some(&TokenKind::Super) && ends(after_power))
+        let is_later = before.is_some_and(is_relation);
+        ends(before)
+            && (may_be_later || !is_later)
+            && (ends(after) || after == Some(&TokenKind::Super) && ends(after_power))
     };
     !name.is_empty() && (0..text.len()).any(|at| text[at..].starts_with(&name) && stands_alone(at))
 }

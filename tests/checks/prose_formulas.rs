@@ -109,3 +109,48 @@ $$ p_x = \gamma m \dot x \tag{3} $$
     );
     assert_eq!(of(&wrong, "3").finding.verdict, Verdict::Refuted);
 }
+
+/// Two frequencies and their difference, which the prose has named before.
+const SPLIT: &str = r"With $\kappa = b/m$ the motion is given by
+
+$$ L = \frac12 m \dot x^2 - \frac12 m \kappa^2 x^2 , \tag{1} $$
+
+$$ \ddot x = -\kappa^2 x . \tag{2} $$
+
+With
+
+$$ u = \Omega + \frac{\kappa}{2} , \qquad w = \Omega - \frac{\kappa}{2} \tag{3} $$
+
+we have
+
+$$ u - w = \kappa . \tag{4} $$
+";
+
+#[test]
+fn the_end_of_a_chain_defines_nothing_that_the_prose_does() {
+    let claims = claims(&json!({ "x": "any" }), r"m, b, \Omega");
+    passes_and_finds(&claims, SPLIT, &[("4", "u - w", "u + w"), ("2", r"= -\kappa^2 x", r"= -\kappa x")]);
+}
+
+/// A force that a display contains before another one says what it is.
+const DRIVEN: &str = r"$$ L = \frac12 m \dot x^2 - \frac14 k x^4 \tag{1} $$
+
+The equation of motion is
+
+$$ m \ddot x + k x^3 = f . \tag{2} $$
+
+The force
+
+$$ f = k x^3 - m \omega^2 x \tag{3} $$
+
+makes an oscillator of it,
+
+$$ \ddot x = -\omega^2 x . \tag{4} $$
+";
+
+#[test]
+fn an_equation_of_motion_that_ends_in_a_force_does_not_define_it() {
+    let mut claims = claims(&json!({ "x": "any" }), r"m, k, \omega");
+    claims["forces"] = json!({ "x": "f" });
+    passes_and_finds(&claims, DRIVEN, &[("2", "+ k x^3", "- k x^3"), ("4", r"= -\omega^2 x", r"= -2 \omega^2 x")]);
+}

@@ -116,3 +116,30 @@ fn values_with_an_index_are_roots_of_an_earlier_relation() {
     let (verdict, _) = last("no-roots", &[r"s^2 + 2\gamma s + \omega_0^2 = 0", r"u_{1,2} = -\gamma \pm b"]);
     assert_ne!(verdict, "refuted");
 }
+
+/// Two oscillators, whose frequencies stand in the energy before a display says what they are.
+fn oscillators(relations: &str, solution: &str) -> [String; 4] {
+    [
+        r"L = \frac12 m (\dot x^2 + \dot y^2) - \frac12 k x^2 - \frac12 q y^2".to_owned(),
+        r"E = \frac12 m (\dot x^2 + \dot y^2 + \omega^2 x^2 + \nu^2 y^2)".to_owned(),
+        relations.to_owned(),
+        solution.to_owned(),
+    ]
+}
+
+#[test]
+fn a_solution_is_judged_with_the_relations_for_its_constants() {
+    let judged =
+        |name: &str, displays: &[String; 4]| last(name, &displays.iter().map(String::as_str).collect::<Vec<_>>());
+    let relations = r"\omega^2 = \frac km, \qquad \nu^2 = \frac qm";
+    let right = r"x(t) = A \cos(\omega t + \alpha), \qquad y(t) = B \cos(\nu t + \beta)";
+    assert_eq!(judged("constants", &oscillators(relations, right)).0, "certified");
+    let wrong = r"x(t) = A \cos(\omega t + \alpha), \qquad y(t) = B \cos(\omega t + \beta)";
+    assert_eq!(
+        judged("constants-wrong", &oscillators(relations, wrong)),
+        ("refuted".to_owned(), Some(r"\nu".to_owned()))
+    );
+    // Where no relation is printed, x for y is no slip in a display that gives both.
+    let free = oscillators(r"\omega \nu = 1", r"x(t) = A \cos(\omega t), \qquad y(t) = B e^{-\nu t}");
+    assert_ne!(judged("constants-free", &free).0, "refuted");
+}

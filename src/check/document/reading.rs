@@ -23,7 +23,7 @@ use crate::{Error, Result};
 
 use crate::check::document::definition::define;
 use crate::check::document::inferred::prose::Prose;
-use crate::check::document::inferred::{indices, integration_constants};
+use crate::check::document::inferred::{indices, integration_constants, open_energies};
 use crate::check::document::normal_frequencies;
 use crate::check::document::unreadable::{UnreadableDisplays, faults};
 use crate::check::model::claim::is_equality;
@@ -50,6 +50,12 @@ pub(crate) fn read_all(
         })
         .collect();
     let texts = texts(claims, notes, assigned)?;
+    // What only names an energy defines it where no other display does.
+    let open = match model.symbols.guessed {
+        true => open_energies::only_named(texts.iter().map(String::as_str), &model.macros),
+        false => Vec::new(),
+    };
+    let is_last = |at: usize| is_of_a_case(assigned[at]) || open.contains(&at);
     let mut pending = Pending {
         claims,
         definitions: claims.define.iter().collect(),
@@ -65,7 +71,7 @@ pub(crate) fn read_all(
     loop {
         let mut read_some = |range: &Range<usize>, of_a_case: bool, model: &mut Model| {
             let mut progress = false;
-            for at in range.clone().filter(|at| is_of_a_case(assigned[*at]) == of_a_case) {
+            for at in range.clone().filter(|at| is_last(*at) == of_a_case) {
                 if readings[at].is_none() {
                     readings[at] = pending.read(&texts[at], assigned[at], model);
                     if readings[at].is_some() {
@@ -85,6 +91,19 @@ pub(crate) fn read_all(
                 (at, symbols, reading)
             })
             .collect();
+        // A name at the end of a chain is defined there only if neither a display that begins with it nor the prose does.
+        let waiting = unread.iter().position(|(_, symbols, reading)| {
+            faults(reading).next().is_none() && !pending.introduces_pending(symbols, reading)
+        });
+        if let Some(waiting) = waiting.filter(|_| model.tie_components()) {
+            if !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), model)
+                && let Some((at, symbols, reading)) = unread.into_iter().nth(waiting)
+            {
+                readings[at] = Some(accept((symbols, reading), model));
+            }
+            pending.define_what_is_ready(model);
+            continue;
+        }
         let broken = |(_, symbols, reading): &(usize, Symbols, Reading)| {
             let lacks_nothing = |fault: &Fault| fault.missing.is_none();
             faults(reading).next().is_some()
@@ -212,14 +231,16 @@ impl Pending<'_> {
             .retain(|name| normal_frequencies::define(model).is_err() || model.symbols.find(name).is_none());
     }
 
-    /// The reading of a display, if all of it can be read and it introduces no name that is still pending.
+    /// The reading of a display, if all of it can be read, and it introduces no name that is still pending and none at the end of a
+    /// chain.
     fn read(&self, text: &str, claim: Option<&Claim>, model: &mut Model) -> Option<Reading> {
         if !model.tie_components() {
             return None;
         }
         let found = read(text, claim, model);
         let whole = faults(&found.1).next().is_none();
-        (whole && !self.introduces_pending(&found.0, &found.1)).then(|| accept(found, model))
+        let is_at_the_end = found.1.introduced.iter().any(|introduced| introduced.member > 0);
+        (whole && !is_at_the_end && !self.introduces_pending(&found.0, &found.1)).then(|| accept(found, model))
     }
 
     /// Whether a reading introduces a name that is still pending.

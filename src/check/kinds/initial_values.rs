@@ -3,17 +3,25 @@
 //! The motion follows from these values, so its derivatives by the time are known where it starts. An equation holds along it if both sides,
 //! and their derivatives, agree there; as many are compared as the series in time have. This decides an energy relation as well as a
 //! solution, and needs no numerical solution of the equations of motion.
+//!
+//! Where a coordinate rests all the time, its derivatives say nothing, so the equation must hold for all motions, or for all
+//! with the energy of this start.
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Node};
+use crate::formula::{Expr, Node, Relation};
 
 use crate::check::judge::identity;
+use crate::check::kinds::mechanics::energy_of_start;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
+use crate::check::sample::setting::FEWEST;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
+
+/// The derivatives of a coordinate that vanish where it rests.
+const DOTS_AT_REST: u8 = 3;
 
 /// The number of derivatives that are compared, beside the two sides themselves.
 const DERIVATIVES: u8 = 4;
@@ -23,6 +31,88 @@ const DERIVATIVES: u8 = 4;
 /// # Errors
 /// When the system's mass matrix is singular.
 pub(crate) fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
+    let found = where_it_starts(link, context)?;
+    if !found.verdict.holds() {
+        return Ok(found);
+    }
+    let on_energy = energy_of_start::holds(link, context)?;
+    let rests = rests(link, context)?;
+    if rests && on_energy != Some(true) {
+        let in_general = Context { hypotheses: &[], on_shell: Some(true), ..context.quick() };
+        if !identity::check(link, &in_general)?.verdict.holds() {
+            let message = "a motion that starts like this stays where it is, so any relation that holds there would hold along \
+                           it, and this was not decided; say where it starts otherwise";
+            return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+        }
+    }
+    if on_energy == Some(false) && !has_a_branch(link) {
+        let message = format!(
+            "the two sides and their first {DERIVATIVES} derivatives agree where the motion starts, but this does not hold for \
+             each motion with the energy of this start, so it was not decided"
+        );
+        return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
+    }
+    Ok(found)
+}
+
+/// Whether a coordinate of a link stays where it is along the motion that starts like this, and does not along each motion.
+fn rests(link: &Link, context: &Context<'_>) -> Result<bool> {
+    let model = context.model;
+    let implied: Vec<Hypothesis> =
+        context.hypotheses.iter().map(|known| Hypothesis { implied: true, ..known.clone() }).collect();
+    let multipliers: Vec<usize> =
+        model.printed_lagrangian.iter().flat_map(|printed| &printed.constraints).map(|(at, _)| *at).collect();
+    for (_, coordinate) in model.coordinates.iter().enumerate().filter(|(at, _)| !multipliers.contains(at)) {
+        let id = coordinate.symbol;
+        if !model.depends_on(&link.lhs, &[id]) && !model.depends_on(&link.rhs, &[id]) {
+            continue;
+        }
+        let stays = |hypotheses: &[Hypothesis], dots: u8| -> Result<bool> {
+            let rate = Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, link.lhs.span);
+            let zero = Expr::integer(0, link.lhs.span);
+            let at_rest = Link { lhs: rate, relation: Relation::Equal, rhs: zero, free: Vec::new() };
+            let context = Context { hypotheses, on_shell: Some(true), ..context.quick() };
+            let mode = context.mode(true, &[&at_rest.lhs]);
+            let ensemble = context.ensemble(mode, false, FEWEST)?;
+            Ok(run(&at_rest, &ensemble.states).is_ok_and(|found| found.failure.is_none() && found.points > 0))
+        };
+        let mut rests = true;
+        for dots in 1..=DOTS_AT_REST {
+            rests = rests && stays(&implied, dots)?;
+        }
+        if rests && !stays(&[], 1)? {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
+/// Whether a link has a root, a modulus or a plain rate in it, of which only one sign belongs to the motion that starts.
+fn has_a_branch(link: &Link) -> bool {
+    let mut found = false;
+    for side in [&link.lhs, &link.rhs] {
+        let plain = |part: &Expr| matches!(&part.node, Node::Symbol { dots: 1, .. });
+        found |= plain(side);
+        side.walk(&mut |part| {
+            found |= match &part.node {
+                Node::Root(..) | Node::Norm(_) => true,
+                Node::Sum(terms) => terms.iter().any(|term| plain(&term.expr)),
+                Node::Product(factors) => factors.iter().filter(|factor| plain(factor)).count() == 1,
+                Node::Quotient(a, b) => plain(a) || plain(b),
+                Node::Power(base, exponent) => plain(base) && !is_even(exponent),
+                _ => false,
+            };
+        });
+    }
+    found
+}
+
+fn is_even(exponent: &Expr) -> bool {
+    matches!(&exponent.node, Node::Number(digits) if digits.parse::<u32>().is_ok_and(|n| n % 2 == 0))
+}
+
+/// The finding by the derivatives where the motion starts.
+fn where_it_starts(link: &Link, context: &Context<'_>) -> Result<Finding> {
     let hypotheses: Vec<Hypothesis> =
         context.hypotheses.iter().map(|known| Hypothesis { implied: true, ..known.clone() }).collect();
     let context = &Context { hypotheses: &hypotheses, on_shell: Some(true), ..*context };

@@ -7,4 +7,5 @@ pub(crate) mod hamiltonian;
 pub(crate) mod indices;
 pub(crate) mod integration_constants;
 pub(crate) mod momenta;
+pub(crate) mod open_energies;
 pub(crate) mod prose;

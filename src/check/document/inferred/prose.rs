@@ -169,8 +169,10 @@ impl Prose {
             .map(|(at, _)| notes.equations[at].text.as_str())
             .collect();
         let is_used = |name: &str| texts.iter().any(|text| name_search::mentions(text, name, &model.macros));
-        // What a display defines that cannot be read yet is not taken from the prose.
-        let is_defined = |name: &str| texts.iter().any(|text| name_search::is_a_side(text, name, &model.macros));
+        // What a display defines that cannot be read yet is not taken from the prose; the end of a chain defines nothing that the
+        // prose does.
+        let is_defined =
+            |name: &str| texts.iter().any(|text| name_search::is_the_first_side(text, name, &model.macros));
         let names = self.0.iter().map(|said| said.name.as_str());
         let missing: Vec<&str> = names.filter(|name| is_used(name) && !is_defined(name)).collect();
         let lagrangian = model.printed_lagrangian.as_ref().map(|printed| printed.lagrangian.to_string());

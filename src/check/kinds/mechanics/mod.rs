@@ -1,9 +1,10 @@
 //! Claims about a Lagrangian or a Hamiltonian of the notes: the same motion, the charge of a symmetry, equilibria, normal
-//! frequencies, and oscillations about a steady motion.
+//! frequencies, oscillations about a steady motion, and motions with the energy of a start.
 //!
-//! Offers a function `check` in each file. Knows `judge` and below, as [`kinds`](super) does.
+//! Offers a function `check` in each file, or `holds`. Knows `judge` and below, as [`kinds`](super) does.
 
 pub(crate) mod charge;
+pub(crate) mod energy_of_start;
 pub(crate) mod equilibrium;
 mod expressions;
 pub(crate) mod generates;

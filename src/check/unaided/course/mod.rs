@@ -9,6 +9,7 @@
 
 mod arguments;
 mod cases;
+mod constants;
 pub(super) mod examples;
 mod extrema;
 mod factor;
@@ -19,6 +20,7 @@ mod slips;
 mod sought;
 mod special_values;
 pub(super) mod taken;
+mod unclear;
 
 use std::collections::{HashMap, VecDeque};
 use std::sync::OnceLock;
@@ -32,6 +34,7 @@ use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Options;
 use crate::check::unaided::contradictions;
 use crate::check::unaided::gate;
+use crate::check::unaided::guess::ordered::{self, Ordered};
 use crate::check::unaided::inline;
 use crate::check::unaided::premises::{self, Premise, Said};
 use crate::check::unaided::prose::{self, Words};
@@ -92,6 +95,7 @@ pub(super) fn judged_again(
         confirmed: Vec::new(),
         contradicted: Vec::new(),
         in_sentences: OnceLock::new(),
+        ordered: ordered::letters(checker.notes, &checker.model.macros),
         before: known,
     };
     for at in 0..scope.carried {
@@ -173,6 +177,8 @@ pub(super) struct Course<'c, 'a> {
     contradicted: Vec<examples::Contradicted>,
     /// The values that the formulas in sentences give to letters, once they were needed.
     in_sentences: OnceLock<Vec<examples::Given>>,
+    /// The letters that may stand for vectors and matrices.
+    ordered: Vec<Ordered>,
     /// The findings that are known already.
     before: &'c (dyn Fn(usize) -> Option<Equation> + Sync),
 }
@@ -250,6 +256,9 @@ impl Course<'_, '_> {
         let none = Claim::default();
         let claim = self.checker.assigned[at].unwrap_or(&none);
         let found = self.by_itself(at)?;
+        if let Some(unclear) = self.unclear(at, &found) {
+            return Ok(unclear);
+        }
         if let Some(settled) = self.settled_by_itself(at, &found)? {
             // A value in a special case, in a sentence, is what the next display is about.
             if settled.finding.verdict.passes()
@@ -282,6 +291,10 @@ impl Course<'_, '_> {
         {
             return Ok(gate::as_it_counts(follows));
         }
+        let relations = self.relations_of_constants(at, claim);
+        if let Some(follows) = self.solution_with(at, &relations, positive.as_ref())? {
+            return Ok(follows);
+        }
         let nearest = words.connected.then(|| premises::nearest(&before, &symbols)).flatten();
         let nearest = nearest.filter(|set| !sets.contains(set));
         let sought = Sought { words: &words, sets, nearest, positive };
@@ -292,12 +305,13 @@ impl Course<'_, '_> {
         if let Some(found) = self.solving(at, &solved)? {
             return Ok(gate::as_it_counts(found));
         }
-        if self.rests_on_doubt(at) || self.hides_a_letter(at) {
+        if self.rests_on_doubt(at) || self.hides_a_letter(at) || self.is_about_guessed_matrices(at) {
             self.take_for_granted(at);
             return Ok(gate::as_it_counts(found));
         }
-        if let Some(wrong) = self.slip_from(at, claim, &sought, &solved)? {
-            return Ok(wrong);
+        let with_relations = constants::added(claim, &relations);
+        if let Some(wrong) = self.slip_from(at, &with_relations, &sought, &solved)? {
+            return Ok(constants::given(wrong, &relations));
         }
         self.note_doubt(at);
         self.take_for_granted(at);

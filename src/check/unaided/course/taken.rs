@@ -21,36 +21,41 @@ impl Course<'_, '_> {
         if self.known.iter().any(|premise| premise.at == at) {
             return;
         }
+        let mut new = self.premises_in(at, from);
+        self.known.append(&mut new);
+    }
+
+    /// The premises that a display gives if it is taken for granted, or follows from the displays at some places.
+    pub(super) fn premises_in(&self, at: usize, from: &[usize]) -> Vec<Premise> {
         // Numbers of an example say nothing about other displays.
         let mut members =
             self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
         if members.any(has_units) {
-            return;
+            return Vec::new();
         }
         // Of the modulus of a rate, as in dσ = 2πρ |dρ/dχ| dχ, authors leave the sign open; |W| = Q has two solutions for W.
         if has_open_modulus(self.checker, at) {
-            return;
+            return Vec::new();
         }
         // Beside a motion, what is taken for granted is a special case of it or contradicts it, unless it is about constants alone.
         let display = &self.checker.notes.equations[at];
         let is_free = self.checker.model.system.is_none() || is_static(self.checker, at);
-        let Some(id) = display.id().filter(|_| is_free) else { return };
+        let Some(id) = display.id().filter(|_| is_free) else { return Vec::new() };
         let Ok(statements) =
             self.checker.readings[at].statements.iter().map(Result::as_ref).collect::<Result<Vec<&Statement>, _>>()
         else {
-            return;
+            return Vec::new();
         };
         // Of `x = 3 \pm 2` one sign holds, so neither is known.
         if statements.windows(2).any(|pair| pair[0].is_alternative_to(pair[1])) {
-            return;
+            return Vec::new();
         }
         let is_inline = inline::is_inline(self.checker.notes, display);
         // What is constant has a rate of 0.
         if let [statement] = statements.as_slice()
             && statement.constant.is_some()
         {
-            self.take_as_constant((at, id), statement, from);
-            return;
+            return self.constant_in((at, id), statement, from).into_iter().collect();
         }
         let premise = |said: Said, statements: &[&Statement]| Premise {
             at,
@@ -70,14 +75,14 @@ impl Course<'_, '_> {
         }
         // What holds under a condition is no premise.
         new.retain(|premise| self.checker.hypotheses(&premises::claim(&[premise])).is_ok());
-        self.known.append(&mut new);
+        new
     }
 
-    /// Makes the statement that a formula is constant a premise of what comes later.
-    fn take_as_constant(&mut self, (at, id): (usize, &str), statement: &Statement, from: &[usize]) {
+    /// The premise that a formula is constant, where a statement says so.
+    fn constant_in(&self, (at, id): (usize, &str), statement: &Statement, from: &[usize]) -> Option<Premise> {
         let display = &self.checker.notes.equations[at];
-        let Some(last) = statement.members.last() else { return };
-        let Some(text) = display.text.get(last.span.range()) else { return };
+        let last = statement.members.last()?;
+        let text = display.text.get(last.span.range())?;
         let premise = Premise {
             at,
             id: id.to_owned(),
@@ -87,9 +92,7 @@ impl Course<'_, '_> {
             is_inline: inline::is_inline(self.checker.notes, display),
             from: from.to_vec(),
         };
-        if self.checker.hypotheses(&premises::claim(&[&premise])).is_ok() {
-            self.known.push(premise);
-        }
+        self.checker.hypotheses(&premises::claim(&[&premise])).is_ok().then_some(premise)
     }
 }
 

@@ -141,6 +141,13 @@ impl Correction<'_> {
         if basis == Basis::Premise && words.announced != Announced::Consequence && !is_chain && !is_close {
             return true;
         }
+        // What gives each of several names a formula gives none to one of them twice.
+        if gives_a_name_twice(&self.reading) {
+            let printed = read_display(self.printed, &mut model.symbols.clone(), &model.macros);
+            if !gives_a_name_twice(&printed) {
+                return true;
+            }
+        }
         // A correction loses no more than one symbol: what has more of them was meant.
         if after.len() + 1 < before.len() {
             return true;
@@ -252,6 +259,14 @@ impl Correction<'_> {
         }
         claims.peek().is_some() && claims.all(says_something)
     }
+}
+
+/// Whether two statements of a display give one name a formula.
+fn gives_a_name_twice(reading: &Reading) -> bool {
+    let statements = reading.statements.iter().flatten();
+    let names: Vec<SymbolId> =
+        statements.filter_map(|statement| statement.members.first().and_then(Expr::as_plain_symbol)).collect();
+    names.iter().enumerate().any(|(at, name)| names[..at].contains(name))
 }
 
 /// Whether a sign is put in after a factor, so that what is before it and what is after it become terms.

@@ -13,7 +13,7 @@ use crate::Result;
 use crate::formula::symbols::Name;
 use crate::formula::{Expr, Node};
 use crate::latex::{Macros, names};
-use crate::notes::{Claims, Notes, claims_beside};
+use crate::notes::{Claims, Display, Notes, claims_beside};
 use crate::source::{Missing, Source, Span};
 
 use crate::check::document::checker::Checker;
@@ -21,7 +21,9 @@ use crate::check::document::setup::{Run, define_macros, with_checker};
 use crate::check::document::unreadable::faults;
 use crate::check::model::Model;
 use crate::check::model::meaning::Variable;
+use crate::check::unaided::guess::lagrangian;
 use crate::check::unaided::guess::letters::{self, is_reserved, is_reserved_name};
+use crate::check::unaided::guess::ordered::{self, Ordered};
 use crate::check::unaided::guess::values::{self, Value as OneValue};
 use crate::check::usage::{Usage, names_of};
 
@@ -43,6 +45,9 @@ const HEATS: &str = "(1, 3)";
 /// Letters for quantities that are positive in each state if they are in one.
 const MEASURES: [&str; 14] = ["p", "P", "V", "T", "m", "M", "R", "C", "L", "n", "N", "\\rho", "\\lambda", "\\ell"];
 
+/// Of this many displays one may be lost where letters are read as vectors and matrices.
+const LOST: usize = 3;
+
 /// The claims that are inferred for notes.
 ///
 /// # Errors
@@ -51,14 +56,45 @@ pub(crate) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
     let usages = names_of(&notes.equations, &macros);
-    let lagrangian = lagrangian(notes, &usages);
+    let lagrangian = lagrangian::of(notes, &usages, &macros);
+    let ordered = ordered::letters(notes, &macros);
+    let plain = by_letters(run, notes, (&macros, &usages), lagrangian, &[])?;
+    if ordered.is_empty() {
+        return Ok(plain);
+    }
+    // What stands for vectors or matrices in one display may stand for numbers in another one, which could not be read then. A
+    // few that cannot be read may be wrong.
+    let with_letters = by_letters(run, notes, (&macros, &usages), lagrangian, &ordered)?;
+    let is_about = |usage: &&Usage| ordered.iter().any(|letter| letter.name == usage.name);
+    let count =
+        |display: &Display| names_of(std::slice::from_ref(display), &macros).iter().any(|usage| is_about(&usage));
+    let lost = unread(run, notes, &with_letters).saturating_sub(unread(run, notes, &plain));
+    let is_better = LOST * lost <= notes.equations.iter().filter(|display| count(display)).count();
+    Ok(if is_better { with_letters } else { plain })
+}
+
+/// The number of displays that cannot be read with some claims.
+fn unread(run: &Run<'_>, notes: &Notes, claims: &Claims) -> usize {
+    let count =
+        |checker: Checker<'_>| Ok(checker.readings.iter().filter(|reading| faults(reading).next().is_some()).count());
+    with_checker(run, claims, notes, count).unwrap_or(usize::MAX)
+}
+
+/// The claims where some letters stand for vectors and matrices.
+fn by_letters(
+    run: &Run<'_>,
+    notes: &Notes,
+    (macros, usages): (&Macros, &[Usage]),
+    lagrangian: Option<&Name>,
+    ordered: &[Ordered],
+) -> Result<Claims> {
     for printed in [lagrangian, None] {
-        let mut whole = Guess::of(&usages, printed);
-        if letters::has_both_constants_of_planck(notes, &usages) {
+        let mut whole = Guess::of(usages, printed, ordered);
+        if letters::has_both_constants_of_planck(notes, usages) {
             whole = whole.without("constants", &["\\hbar".to_owned()]);
             whole.define("\\hbar", "\\frac{h}{2\\pi}");
         }
-        if letters::means_root_of_minus_one(notes, &usages, &macros) {
+        if letters::means_root_of_minus_one(notes, usages, macros) {
             whole.declare("constants", "i", "imaginary unit");
         }
         // A function of a name that a display defines cannot be declared. It must not take all other guesses with it.
@@ -66,7 +102,7 @@ pub(crate) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
         let one_less = functions.iter().map(|name| whole.without("functions", std::slice::from_ref(name)));
         let none = (!functions.is_empty()).then(|| whole.without("functions", &functions));
         for guess in std::iter::once(whole.clone()).chain(one_less).chain(none) {
-            if let Some(best) = completed(run, notes, guess, (&macros, &usages))? {
+            if let Some(best) = completed(run, notes, guess, (macros, usages))? {
                 return Ok(best);
             }
         }
@@ -154,34 +190,6 @@ fn missing(readings: &[crate::latex::Reading]) -> Vec<String> {
     readings.iter().flat_map(|reading| faults(reading).filter_map(of).collect::<Vec<_>>()).collect()
 }
 
-/// The name of the Lagrangian, if a display defines one, and the notes speak of it, differentiate it, or square a rate in it: an
-/// angular momentum has no such square.
-fn lagrangian<'u>(notes: &Notes, usages: &'u [Usage]) -> Option<&'u Name> {
-    let text = &notes.source.text;
-    let is_spoken_of = text.contains("agrangian") || text.contains("Euler--Lagrange") || text.contains("\\partial L");
-    let is_it = |usage: &&Usage| {
-        ["L", "\\mathcal{L}"].contains(&usage.name.base.as_str()) && usage.name.subscript.is_empty() && defined(usage)
-    };
-    let moves = usages.iter().any(|usage| usage.moves);
-    let is_kinetic = |usage: &&Usage| {
-        usage.introduced.and_then(|at| notes.equations.get(at)).is_some_and(|display| squares_a_rate(&display.text))
-    };
-    usages.iter().find(is_it).filter(|usage| moves && (is_spoken_of || is_kinetic(usage))).map(|usage| &usage.name)
-}
-
-/// Whether a text has a dotted name with the power 2: `\dot x^2`, `\dot{\theta}_1^{2}`.
-fn squares_a_rate(text: &str) -> bool {
-    text.split("\\dot").skip(1).any(|after| {
-        let after = after.trim_start_matches(['{', ' ']);
-        let name = after.trim_start_matches('\\').trim_start_matches(|c: char| c.is_ascii_alphabetic());
-        let script = name.trim_start_matches('}').trim_start();
-        let script = script.strip_prefix('_').map_or(script, |index| {
-            index.trim_start_matches(|c: char| c.is_ascii_alphanumeric() || "{}\\".contains(c))
-        });
-        script.starts_with("^2") || script.starts_with("^{2}")
-    })
-}
-
 /// A coordinate that is a multiple of another one, x = Rφ, where the Lagrangian is differentiated by the first.
 struct Rolling {
     /// φ
@@ -228,11 +236,13 @@ struct Guess {
     keys: Map<String, Value>,
     /// The formulas that stand for one name whose shape was changed.
     reshaped: Vec<String>,
+    /// The letters that stand for vectors and matrices.
+    ordered: Vec<Ordered>,
 }
 
 impl Guess {
-    fn of(usages: &[Usage], lagrangian: Option<&Name>) -> Guess {
-        let mut guess = Guess::default();
+    fn of(usages: &[Usage], lagrangian: Option<&Name>, ordered: &[Ordered]) -> Guess {
+        let mut guess = Guess { ordered: ordered.to_vec(), ..Guess::default() };
         // An orbit r(φ) moves as the place does.
         let is_function = |usage: &Usage| {
             usage.arguments.as_ref().is_some_and(|of| *of != [Name::plain("t")] && (!usage.moves || of.len() > 1))
@@ -259,7 +269,9 @@ impl Guess {
             if usage.name.primes > 0 && usages.iter().any(|other| other.name == plain && other.arguments.is_some()) {
                 continue;
             }
-            let is_vector = ["\\vec{", "\\mathbf{", "\\boldsymbol{", "\\bm{"].iter().any(|mark| name.starts_with(mark));
+            let shape = ordered.iter().find(|letter| letter.name == usage.name).map(|letter| letter.range.as_deref());
+            let is_vector = shape.is_some()
+                || ["\\vec{", "\\mathbf{", "\\boldsymbol{", "\\bm{"].iter().any(|mark| name.starts_with(mark));
             let is_argument = usages
                 .iter()
                 .any(|other| other.given && other.arguments.as_ref().is_some_and(|of| of.contains(&usage.name)));
@@ -275,7 +287,7 @@ impl Guess {
                 && (usage.positive || usage.exponential || is_measure && (has_heats || usages.iter().any(is_alike)));
             let range = match (is_vector, usage.angle, positive) {
                 (false, ..) if is_ratio_of_heats(usage) => HEATS,
-                (true, ..) => "any",
+                (true, ..) => shape.flatten().unwrap_or("any"),
                 (_, true, _) => "angle",
                 (_, _, true) => "> 0",
                 _ => "any",
@@ -409,7 +421,9 @@ impl Guess {
             };
             let name = parsed.to_string();
             if !self.declares(&name) && !is_reserved_name(&parsed) && !name.starts_with("\\hat") {
-                self.declare("constants", &name, "any");
+                let shape = self.ordered.iter().find(|letter| letter.name == parsed);
+                let range = shape.and_then(|letter| letter.range.clone()).unwrap_or_else(|| "any".to_owned());
+                self.declare("constants", &name, &range);
                 is_new = true;
             }
         }

@@ -4,7 +4,9 @@
 //! | file | what it has |
 //! | --- | --- |
 //! | `values` | formulas that stand for one name |
+//! | `lagrangian` | which name is the Lagrangian |
 //! | `letters` | what h, i and hats mean |
+//! | `ordered` | vectors and matrices in plain letters |
 //! | `inference` | the claims file that is inferred |
 //! | `scopes` | where a letter gets another meaning |
 //! | `corrections` | what the author changed in the inferred file |
@@ -18,6 +20,8 @@ pub(super) mod corrections;
 #[cfg(feature = "cli")]
 pub(super) mod draft;
 pub(super) mod inference;
+mod lagrangian;
 mod letters;
+pub(super) mod ordered;
 pub(super) mod scopes;
 mod values;
