@@ -270,6 +270,13 @@ impl Judge<'_, '_> {
         if let Some(why) = self.another_meaning(display, reading).filter(|_| self.details) {
             return Ok((Mark::Open, Some(Verdict::Undecided), why));
         }
+        let trusting = Checker { readings: &self.trusted, units: self.quiet.units.clone(), ..*self.quiet };
+        if self.details
+            && let Some(case) = self.unsaid_case(&trusting, display, reading)
+        {
+            let because = format!("holds only where {case}, and no line says that it is about this case");
+            return Ok((Mark::Open, Some(Verdict::Undecided), because));
+        }
         let missing = if self.details { self.missing_values(display, reading) } else { Vec::new() };
         if !missing.is_empty() {
             let because = format!("is a number, and no line gives the value of {}", missing.join(", "));

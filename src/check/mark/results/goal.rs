@@ -2,7 +2,7 @@
 
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
 use crate::latex::Reading;
-use crate::notes::claims::{Claim, Lost, Range};
+use crate::notes::claims::{Claim, Lost, Range, Spanned};
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
@@ -26,6 +26,10 @@ pub(super) struct Goal {
     symbols: Vec<(SymbolId, u8)>,
     /// Whether the problem gives it as a law.
     is_law: bool,
+    /// The names that other results give a formula for: a line that uses one of them is a step on the way.
+    others: Vec<SymbolId>,
+    /// What the claim says that the result is too.
+    also: Option<Expr>,
 }
 
 impl Goal {
@@ -51,10 +55,20 @@ impl Goal {
             symbols.extend([first, last].into_iter().flat_map(Expr::symbols));
         }
         let none = Claim::default();
-        let hypotheses = checker.hypotheses(checker.assigned[wanted.display].unwrap_or(&none)).ok()?;
+        let claim = checker.assigned[wanted.display].unwrap_or(&none);
+        // What holds at the start alone says nothing of a result that starts there.
+        let lasts = |text: &&Spanned<String>| checker.without_start(&text.value).is_none();
+        let assume = claim.assume.iter().filter(lasts).cloned().collect();
+        let hypotheses = checker.hypotheses(&Claim { assume, ..claim.clone() }).ok()?;
+        let also = claim.also_equals.as_ref().and_then(|text| {
+            let reading = checker.as_printed(&text.value, &none, &checker.model.macros);
+            Some(reading.statements.first()?.as_ref().ok()?.members.first()?.clone())
+        });
         symbols.sort_unstable();
         symbols.dedup();
-        (!links.is_empty()).then_some(Goal { model, links, hypotheses, symbols, is_law })
+        let is_own = |id: &SymbolId| symbols.iter().any(|(own, _)| own == id);
+        let others = super::names(checker, world.problem).into_iter().filter(|id| !is_own(id)).collect();
+        (!links.is_empty()).then_some(Goal { model, links, hypotheses, symbols, is_law, others, also })
     }
 
     /// Whether a link gives a number, or a formula of fewer names, for a wanted quantity that does not vary: the student has put
@@ -92,6 +106,10 @@ impl Goal {
     }
 
     fn says(&self, checker: &Checker<'_>, world: &World<'_>, link: &Link, wanted: &Link) -> bool {
+        if self.also.as_ref() == Some(&link.lhs) {
+            let same = checker.link(&link.rhs, Relation::Equal, &wanted.rhs);
+            return same.is_ok_and(|same| self.holds(checker, &same, &[]) == Some(true));
+        }
         // What the problem gives is no result, though with its definitions it may say the same.
         let is_same = || checker.proportional(link, wanted, &[]).unwrap_or(false);
         if !(is_about_its_rates(checker, link, wanted) || is_same()) || !self.is_law && says_a_law(checker, world, link)
@@ -223,7 +241,7 @@ impl Goal {
             }
             match checker.model.meaning(id) {
                 Some(Meaning::System(_)) => return None,
-                Some(Meaning::Defined(_)) if of_problem(id) => return None,
+                Some(Meaning::Defined(_)) if of_problem(id) || self.others.contains(&id) => return None,
                 // A letter or primes for a rate say nothing of their own.
                 Some(Meaning::Defined(formula)) if matches!(formula.node, Node::Symbol { .. }) => {}
                 Some(Meaning::Defined(_)) => own.push(id),
