@@ -29,6 +29,8 @@ pub(super) struct Known {
     values: Vec<((SymbolId, u8), Expr)>,
     /// What conditions between constants say that one of them is: V_1 by `\frac{V_1}{V_2} = 10`.
     relations: Vec<((SymbolId, u8), Expr)>,
+    /// What they are if nothing else says it: numbers that the problem gives or prints.
+    last: Vec<((SymbolId, u8), Expr)>,
     is_any_number: bool,
 }
 
@@ -51,10 +53,21 @@ impl Known {
         }
     }
 
-    /// Adds what a symbol is if nothing else says it: a formula of the problem, or a number that its text gives.
-    pub fn add_at_last(&mut self, id: SymbolId, value: Expr) {
-        self.is_any_number |= value.symbols().is_empty();
+    /// Adds a formula for a symbol, which counts for less than those before it.
+    pub fn add_formula(&mut self, id: SymbolId, value: Expr) {
         self.values.push(((id, 0), value));
+    }
+
+    /// Adds a number for a symbol, for where no formula gives one.
+    pub fn add_at_last(&mut self, id: SymbolId, value: Expr) {
+        self.last.push(((id, 0), value));
+    }
+
+    /// The same with numbers counted only where no formula gives one.
+    pub fn with_numbers_last(mut self) -> Known {
+        let (numbers, values) = self.values.into_iter().partition(|(_, value)| value.symbols().is_empty());
+        (self.values, self.last) = (values, numbers);
+        self
     }
 
     /// Whether any condition gave a number.
@@ -83,8 +96,9 @@ impl Known {
     /// The symbols that have numbers by themselves, or by formulas of symbols that have, and what the relations say.
     fn numbers(&self, checker: &Checker<'_>) -> Vec<((SymbolId, u8), Expr)> {
         let mut closed: Vec<((SymbolId, u8), Expr)> = Vec::new();
-        for _ in 0..DEEPEST {
-            for (id, value) in &self.values {
+        for pass in 0..2 * DEEPEST {
+            let last = self.last.iter().filter(|_| pass >= DEEPEST);
+            for (id, value) in self.values.iter().chain(last) {
                 let is_new = closed.iter().all(|(known, _)| known != id);
                 let value = inserted(&inserted(value, &closed), &self.relations);
                 let is_number = || match value.symbols().is_empty() {
@@ -154,12 +168,14 @@ impl Known {
     pub fn or_of_others(&self, other: &Known) -> Known {
         let is_new = |(id, _): &&((SymbolId, u8), Expr)| self.values.iter().all(|(known, _)| known != id);
         let values = self.values.iter().chain(other.values.iter().filter(is_new)).cloned().collect();
-        Known { values, ..self.clone() }
+        let last = self.last.iter().chain(other.last.iter().filter(is_new)).cloned().collect();
+        Known { values, last, ..self.clone() }
     }
 
     /// Without values that are numbers, as they were printed.
     pub fn formulas(mut self) -> Known {
         self.values.retain(|(_, value)| !value.symbols().is_empty());
+        self.last.clear();
         self
     }
 
@@ -168,6 +184,7 @@ impl Known {
         Known {
             values: self.values.iter().chain(&other.values).cloned().collect(),
             relations: self.relations.iter().chain(&other.relations).cloned().collect(),
+            last: self.last.iter().chain(&other.last).cloned().collect(),
             is_any_number: self.is_any_number || other.is_any_number,
         }
     }

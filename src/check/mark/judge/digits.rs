@@ -95,12 +95,13 @@ impl Judge<'_, '_> {
         for at in 0..self.world.problem.notes.equations.len() {
             printed.add(&self.quiet.readings[at], false);
         }
+        printed = printed.with_numbers_last();
         let model = self.quiet.model;
         for (id, entry) in model.symbols.iter() {
             if let Some(Meaning::Defined(formula)) = model.meaning(id)
                 && self.world.problem.names.symbols.find(&entry.name).is_some()
             {
-                printed.add_at_last(id, formula.as_ref().clone());
+                printed.add_formula(id, formula.as_ref().clone());
             }
         }
         printed
@@ -145,11 +146,8 @@ pub(super) fn data(checker: &Checker<'_>, world: &World<'_>) -> Known {
     let mut known = Known::default();
     stated.into_iter().chain(own.iter().filter(is_single).copied()).for_each(|reading| known.add(reading, true));
     // What the model solution gives a formula may be a datum of the part with numbers: "for $r_0 = 2\,\text{m}$".
-    let is_fixed = |id: SymbolId| {
-        let name = &checker.model.symbols.entry(id).name;
-        world.problem.names.fixed.contains(name)
-    };
+    let is_defined = |id: SymbolId| matches!(checker.model.meaning(id), Some(Meaning::Defined(_)));
     let sought = numbers.iter().filter(|reading| gives(reading).is_none()).filter_map(number);
-    sought.filter(|(id, _)| is_fixed(*id)).for_each(|(id, value)| known.add_at_last(id, value));
+    sought.filter(|(id, value)| is_defined(*id) && !value.is_null()).for_each(|(id, value)| known.add_at_last(id, value));
     known
 }

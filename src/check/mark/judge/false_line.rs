@@ -95,6 +95,10 @@ impl Judge<'_, '_> {
             }
             return Some(given("is a special state of the motion, and is taken for granted"));
         }
+        let is_phase = |statement: &&Statement| self.is_instant_of_a_phase(statement);
+        if written.inline && written.continues.is_none() && !statements.is_empty() && statements.iter().all(is_phase) {
+            return Some(given("names an instant by its phase"));
+        }
         if let Some(name) = vanishes(self.quiet, &statements).filter(|_| is_said) {
             self.breaks.push((name, written.name.clone()));
             return Some(open("is a condition that the problem does not have"));
@@ -142,6 +146,9 @@ impl Judge<'_, '_> {
         let display = self.world.first + at;
         if self.is_tried(at, reading) {
             return Ok(Some(given(TRIAL)));
+        }
+        if let Some(reason) = self.solves_a_printed_equation(at, reading) {
+            return Ok(Some(given(reason)));
         }
         if let Some(name) = self.follows_from_a_trial(reading) {
             return Ok(Some(right(format!("follows from the trial solution in {name}"))));
@@ -266,6 +273,9 @@ impl Judge<'_, '_> {
         if self.details && !self.ends_are_false(display, reading) && self.leaves_open(at, reading)? {
             let because = format!("uses {}, which no line defines", self.unknown(reading).join(", "));
             return Ok((Mark::Open, Some(Verdict::Undecided), because));
+        }
+        if let Some(why) = self.energy_for_a_constant(reading).filter(|_| self.details) {
+            return Ok((Mark::Open, Some(Verdict::Undecided), why));
         }
         if let Some(why) = self.another_meaning(display, reading).filter(|_| self.details) {
             return Ok((Mark::Open, Some(Verdict::Undecided), why));

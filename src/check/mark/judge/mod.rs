@@ -32,6 +32,7 @@ use super::world::World;
 mod another_meaning;
 mod cases;
 mod digits;
+mod extrema;
 mod false_line;
 mod instants;
 mod readings;
@@ -231,6 +232,7 @@ impl Judge<'_, '_> {
             Status::Unread(message) => {
                 (line.mark, line.verdict, line.because) = (Mark::Unread, Some(Verdict::Unreadable), message.into());
             }
+            Status::False(_) if self.is_at_an_extremum(at, &reading, &mut line) => {}
             Status::False(finding) => {
                 if let Some(said) = near_rest::of_the_frequency(self.quiet, self.world, &self.quiet.readings[display]) {
                     self.premises[display] = said;

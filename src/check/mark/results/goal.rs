@@ -173,10 +173,14 @@ impl Goal {
         &self,
         checker: &Checker<'_>,
         world: &World<'_>,
-        reading: &Reading,
+        (own_line, reading): (usize, &Reading),
         lines: &[Line],
     ) -> bool {
+        // A line does not say by itself what its other quantities are.
         let gives = |id: SymbolId, at: usize| {
+            if at == own_line {
+                return false;
+            }
             let own = links(checker, &checker.readings[world.first + at]);
             lines[at].mark == Mark::Right
                 && own.iter().any(|link| [&link.lhs, &link.rhs].into_iter().any(|side| is_power_of(side, id)))
@@ -249,6 +253,12 @@ impl Goal {
             }
         }
         (own.len() <= 1).then_some(own.len())
+    }
+
+    /// Whether a reading has the left side of the result.
+    pub fn has_its_side(&self, checker: &Checker<'_>, reading: &Reading) -> bool {
+        let own = links(checker, reading);
+        own.iter().any(|link| self.links.iter().any(|wanted| link.lhs == wanted.lhs))
     }
 
     /// Whether a false reading was meant as the result: it has the same left side, or the same rates in it; and what it is

@@ -37,6 +37,8 @@ pub(in crate::check::mark) struct Written {
     pub is_alternative: bool,
     /// Whether the words before it say that it is about the start of the motion.
     pub is_at_start: bool,
+    /// Whether the words before it say that something is largest or smallest there.
+    pub is_extremum: bool,
     /// Whether the text before it says that something is small.
     pub is_near: bool,
     /// Edits of what is read that make it readable.
@@ -136,6 +138,7 @@ pub(in crate::check::mark) fn written(notes: &Notes, macros: &Macros) -> Vec<Wri
                     text.get(before.span.end..span.start).is_some_and(foreign::says_or)
                 }),
                 is_at_start: is_at_start(text, display.map_or(body.start, |display| display.span.start)),
+                is_extremum: is_extremum(text, display.map_or(body.start, |display| display.span.start)),
                 is_near: SMALL.iter().any(|word| text[..span.start].to_lowercase().contains(word)),
                 edits: Vec::new(),
             });
@@ -225,6 +228,34 @@ const START: [&str; 14] = [
 fn is_at_start(text: &str, at: usize) -> bool {
     let clause = clause_before(text, at);
     START.iter().any(|words| clause.contains(words))
+}
+
+/// Words for an extremum, and beginnings of such words, in some languages.
+const EXTREMUM: [&str; 18] = [
+    "largest",
+    "smallest",
+    "greatest",
+    "least",
+    "maxim",
+    "minim",
+    "extrem",
+    "resonan",
+    "résonan",
+    "größte",
+    "kleinste",
+    "am größten",
+    "am kleinsten",
+    "plus grand",
+    "plus petit",
+    "risonan",
+    "największ",
+    "najmniejsz",
+];
+
+/// Whether the clause before a place says that something is largest or smallest there.
+fn is_extremum(text: &str, at: usize) -> bool {
+    let clause = clause_before(text, at);
+    EXTREMUM.iter().any(|word| clause.contains(word))
 }
 
 /// The clause before a place, in small letters.
