@@ -181,7 +181,12 @@ impl Judge<'_, '_> {
         let id = statement.members.first()?.as_plain_symbol()?;
         let name = &self.quiet.model.symbols.entry(id).name;
         let is_energy = ["T", "U", "V", "W", "E", "K"].contains(&name.base.as_str());
-        let is_fixed = self.world.problem.names.fixed.contains(name);
+        let is_rate = |(id, dots): &(SymbolId, u8)| *dots > 0 || self.quiet.model.is_coordinate(*id);
+        let is_fixed = match self.quiet.model.meaning(id) {
+            Some(Meaning::Defined(formula)) => !self.is_own(id) && !formula.symbols().iter().any(is_rate),
+            Some(Meaning::Constant(_)) => !self.is_own(id),
+            _ => false,
+        };
         let mut squares = false;
         for member in &statement.members[1..] {
             member.walk(&mut |part| {

@@ -173,8 +173,9 @@ impl Judge<'_, '_> {
             return Ok(Some(right("is right, with another zero of the potential energy")));
         }
         if self.is_rounded(display, reading) {
+            let whose = if self.known.has_numbers() { "student" } else { "problem" };
             self.known.add(reading, false);
-            return Ok(Some(right("is right to the printed digits, with the numbers of the student")));
+            return Ok(Some(right(format!("is right to the printed digits, with the numbers of the {whose}"))));
         }
         if let Some(name) = self.follows_under_a_condition(reading) {
             return Ok(Some(right(format!("follows under the condition of {name}"))));

@@ -9,6 +9,7 @@ use crate::notes::claims::Claim;
 
 use crate::check::mark::carried::numbers;
 use crate::check::mark::motion::{printed, with_rates_taken};
+use crate::check::mark::status::{Status, status};
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::meaning::Meaning;
 use crate::check::verdict::Verdict;
@@ -108,7 +109,10 @@ impl Judge<'_, '_> {
         let [Ok(statement)] = reading.statements.as_slice() else { return None };
         let (first, others) = statement.members.split_first().filter(|(_, others)| !others.is_empty())?;
         let is_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
-        if !self.details || !is_equal {
+        // What solves the exact laws is judged by them, and by the values at the start.
+        let display = self.world.first + at;
+        let is_exact = || matches!(status(self.quiet, display, reading, &Claim::default()), Status::Holds(_));
+        if !self.details || !is_equal || is_exact() {
             return None;
         }
         if let Some(own) = printed(self.quiet, statement).filter(|own| own.dots == 0 && others.len() == 1) {
