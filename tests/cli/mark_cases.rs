@@ -70,7 +70,12 @@ fn a_condition_earns_no_result() {
         assert!(of(&format!("condition-{name}"), line).abs() < 1e-9);
     }
     // The twin: the result does, also under the name that its claim gives it.
-    assert!(of("condition-result", &format!("$$ m\\dot v = \\alpha u - mg $$\n\n{}\n", &ROCKET.0[ROCKET.0.find("$$ v").unwrap()..])) > 3.9);
+    assert!(
+        of(
+            "condition-result",
+            &format!("$$ m\\dot v = \\alpha u - mg $$\n\n{}\n", &ROCKET.0[ROCKET.0.find("$$ v").unwrap()..])
+        ) > 3.9
+    );
     let start = "$$ m\\dot v = \\alpha u - mg $$\n\nAt $t = 0$: $\\dot v = \\frac{\\alpha u}{m_0} - g$\n";
     assert!(of("condition-start", start) > 0.9);
 }
@@ -104,9 +109,9 @@ fn a_line_that_uses_another_result_is_a_step() {
 fn a_claim_about_a_part_of_a_display_serves_marks_too() {
     let problem = (
         "$$ L = \\frac12 m l^2 \\dot\\theta^2 + m g l \\cos\\theta \\tag{1} $$\n\n\
-         $$ \\ddot\\theta = -\\frac gl \\theta, \\qquad \\omega_0 = \\sqrt{\\frac gl} \\tag{2} $$\n",
+         $$ \\ddot\\theta + \\omega_0^2 \\theta = 0, \\qquad \\omega_0^2 = \\frac gl \\tag{2} $$\n",
         r#"{ "notes": "p.md", "coordinates": { "\\theta": "angle" }, "constants": { "m, l, g": "> 0" },
-            "means": { "L": "Lagrangian" }, "equations": { "2 part 1": { "small": "\\theta" } },
+            "means": { "L": "Lagrangian" }, "equations": { "2 part 1": { "assume": "small oscillations about \\theta = 0" } },
             "rubric": { "results": { "2": 1 } } }"#,
     );
     assert_eq!(marks("part", problem, "$$ \\ddot\\theta = -\\frac gl \\theta $$\n"), ["right"]);

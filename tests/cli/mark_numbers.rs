@@ -105,7 +105,7 @@ fn zeros_at_the_end_and_terms_of_a_sum_may_be_rounded() {
 
 #[test]
 fn letters_alone_are_no_number() {
-    // By chance these data make it true: g is 9.81, and a (l/a)^2 is not what a line says of it.
+    // The data of the problem make it true by chance: 0.02/0.01 is 2.
     let lines = "$$ \\Omega = \\frac{a}{0.01 l} $$\n";
     assert_ne!(marks("no-number", STRETCHED, lines), ["right"]);
     assert_eq!(marks("a-number", STRETCHED, "$$ \\Omega = 2.0\\,\\text{s}^{-1} $$\n"), ["right"]);

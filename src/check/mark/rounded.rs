@@ -239,7 +239,6 @@ fn fits_with(
             }
             let sides = [inserted(&pair[0], closed), inserted(&pair[1], closed)];
             let values = [number(checker, &sides[0]), number(checker, &sides[1])];
-            if std::env::var("DBGMARK").is_ok() { eprintln!("DBG {values:?} {:?} {:?}", text.get(pair[1].span.range()), sides[0].symbols().iter().map(|(i,d)| (checker.model.name(*i),*d)).collect::<Vec<_>>()); }
             if let [Some(value), Some(printed)] = values {
                 any = true;
                 let off = text.get(pair[1].span.range()).and_then(half_a_digit).unwrap_or(0.0);

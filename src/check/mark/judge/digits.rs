@@ -148,6 +148,8 @@ pub(super) fn data(checker: &Checker<'_>, world: &World<'_>) -> Known {
     // What the model solution gives a formula may be a datum of the part with numbers: "for $r_0 = 2\,\text{m}$".
     let is_defined = |id: SymbolId| matches!(checker.model.meaning(id), Some(Meaning::Defined(_)));
     let sought = numbers.iter().filter(|reading| gives(reading).is_none()).filter_map(number);
-    sought.filter(|(id, value)| is_defined(*id) && !value.is_null()).for_each(|(id, value)| known.add_at_last(id, value));
+    sought
+        .filter(|(id, value)| is_defined(*id) && !value.is_null())
+        .for_each(|(id, value)| known.add_at_last(id, value));
     known
 }

@@ -29,7 +29,7 @@ impl Judge<'_, '_> {
         let statements = || reading.statements.iter().flatten();
         let vanishes = |statement: &Statement| statement.members.last().is_some_and(Expr::is_null);
         let equates = |statement: &Statement| statement.relations.iter().all(|(relation, _)| is_equality(*relation));
-        let is_condition = written.is_extremum || statements().all(vanishes);
+        let is_condition = written.is_extremum || written.is_after_extremum && statements().all(vanishes);
         if !self.details || !is_condition || statements().next().is_none() || !statements().all(equates) {
             return None;
         }
@@ -63,7 +63,8 @@ impl Judge<'_, '_> {
     pub(super) fn is_instant_of_a_phase(&self, statement: &Statement) -> bool {
         let model = self.quiet.model;
         let is_time = |id: SymbolId| {
-            matches!(model.meaning(id), Some(Meaning::Time)) || single_letters::is_instant(&model.symbols.entry(id).name)
+            matches!(model.meaning(id), Some(Meaning::Time))
+                || single_letters::is_instant(&model.symbols.entry(id).name)
         };
         let is_fixed = |(id, dots): &(SymbolId, u8)| {
             let name = &model.symbols.entry(*id).name;

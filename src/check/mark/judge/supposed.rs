@@ -125,7 +125,9 @@ impl Judge<'_, '_> {
     /// coordinate: `E = -\frac{k}{2 r_0}` is about the circle r = r_0.
     fn names_the_place(&self, reading: &Reading, case: &Reading) -> bool {
         let [Ok(statement)] = case.statements.as_slice() else { return false };
-        let [Expr { node: Node::Symbol { id: of, .. }, .. }, value] = statement.members.as_slice() else { return false };
+        let [Expr { node: Node::Symbol { id: of, .. }, .. }, value] = statement.members.as_slice() else {
+            return false;
+        };
         let Some(place) = value.as_plain_symbol() else { return false };
         let is_fixed = matches!(self.quiet.model.meaning(place), Some(Meaning::Constant(_) | Meaning::Defined(_)));
         let of_problem = self.world.problem.notes.equations.len();

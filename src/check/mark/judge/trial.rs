@@ -134,7 +134,10 @@ impl Judge<'_, '_> {
                 link.is_ok_and(|link| numbers::holds(self.quiet, &free, &link, &[]) == Some(true))
             })
         };
-        self.steady_motions().iter().any(is_it).then_some("holds for small motion, along the steady motion of the problem")
+        self.steady_motions()
+            .iter()
+            .any(is_it)
+            .then_some("holds for small motion, along the steady motion of the problem")
     }
 
     /// Whether a function of the time solves an equation of motion of the problem, of which nothing is left that moves.
@@ -168,18 +171,14 @@ impl Judge<'_, '_> {
     fn steady_motions(&self) -> Vec<Trial> {
         let notes = &self.world.problem.notes;
         let texts = notes.inline.iter().filter_map(|span| notes.source.text.get(span.range()));
-        let read = |text: &str| {
-            self.quiet.as_printed(text.trim_matches('$'), &Claim::default(), &self.quiet.model.macros)
-        };
+        let read =
+            |text: &str| self.quiet.as_printed(text.trim_matches('$'), &Claim::default(), &self.quiet.model.macros);
         let lines = (0..self.lines.len()).map(|at| self.quiet.readings[self.world.first + at].clone());
         let found = texts.map(read).chain(lines).filter_map(|reading| {
             let [Ok(statement)] = reading.statements.as_slice() else { return None };
             let own = printed(self.quiet, statement).filter(|own| own.dots == 0 && statement.members.len() == 2)?;
-            let trial = |line: &str| Trial {
-                coordinate: own.coordinate,
-                formula: own.formula.clone(),
-                line: line.to_owned(),
-            };
+            let trial =
+                |line: &str| Trial { coordinate: own.coordinate, formula: own.formula.clone(), line: line.to_owned() };
             self.is_a_solution(trial("")).then(|| trial(""))
         });
         found.collect()

@@ -116,7 +116,8 @@ impl<R: Fn(usize) -> Vec<Reading>> Search<'_, '_, R> {
         let says = |at: &usize| {
             let mut own = (self.readings)(*at).into_iter();
             lines[*at].mark == Mark::Right
-                && own.any(|reading| self.goal.is_with_known_quantities(self.checker, self.world, (*at, &reading), lines))
+                && own
+                    .any(|reading| self.goal.is_with_known_quantities(self.checker, self.world, (*at, &reading), lines))
         };
         let line = (0..lines.len()).find(says)?;
         Some(Found { line, is_right: true, lost: None, parts: Vec::new() })

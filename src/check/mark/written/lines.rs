@@ -39,6 +39,8 @@ pub(in crate::check::mark) struct Written {
     pub is_at_start: bool,
     /// Whether the words before it say that something is largest or smallest there.
     pub is_extremum: bool,
+    /// Whether the text before it speaks of such a place.
+    pub is_after_extremum: bool,
     /// Whether the text before it says that something is small.
     pub is_near: bool,
     /// Edits of what is read that make it readable.
@@ -139,6 +141,10 @@ pub(in crate::check::mark) fn written(notes: &Notes, macros: &Macros) -> Vec<Wri
                 }),
                 is_at_start: is_at_start(text, display.map_or(body.start, |display| display.span.start)),
                 is_extremum: is_extremum(text, display.map_or(body.start, |display| display.span.start)),
+                is_after_extremum: {
+                    let before = text[..span.start].to_lowercase();
+                    EXTREMUM.iter().any(|word| before.contains(word))
+                },
                 is_near: SMALL.iter().any(|word| text[..span.start].to_lowercase().contains(word)),
                 edits: Vec::new(),
             });
