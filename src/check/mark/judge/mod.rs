@@ -41,7 +41,6 @@ mod supposed;
 mod trial;
 
 use readings::{Break, free_of, with_dots};
-use supposed::Under;
 
 /// Judges the lines of a hand-in, with the slips in wrong lines.
 ///
@@ -290,7 +289,8 @@ impl Judge<'_, '_> {
             if is_still
                 || special::is_degenerate(&checker, context, reading)
                 || !self.is_granted(at, display, reading)
-                || !self.cases[at].is_empty() && self.under(&checker, display, reading, context) == Under::Anyway
+                || !self.cases[at].is_empty()
+                    && self.under(&checker, display, reading, context) == supposed::Under::Anyway
             {
                 continue;
             }
