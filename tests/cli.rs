@@ -23,8 +23,12 @@ mod formulas;
 mod init;
 #[path = "cli/mark.rs"]
 mod mark;
+#[path = "cli/mark_cases.rs"]
+mod mark_cases;
 #[path = "cli/mark_classes.rs"]
 mod mark_classes;
+#[path = "cli/mark_extrema.rs"]
+mod mark_extrema;
 #[path = "cli/mark_letters.rs"]
 mod mark_letters;
 #[path = "cli/mark_motion.rs"]

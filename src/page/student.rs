@@ -41,7 +41,7 @@ fn index(problem: &str, class: &[Marked], names: &[String]) -> Markup {
     html! {
         header {
             h1 { "Marks" }
-            p { (class.len()) " hand-ins, marked by " (file_name(problem)) "." }
+            p { (class.len()) @if class.len() == 1 { " hand-in" } @else { " hand-ins" } ", marked by " (file_name(problem)) "." }
         }
         div class="wide" tabindex="0" role="group" aria-label="Students and their points" {
             table {
@@ -143,7 +143,7 @@ fn legend(marked: &Marked) -> Markup {
         (Mark::Wrong, "It is false, and follows from no line before it."),
         (
             Mark::Carried,
-            "It is false, but the step is right: it follows from a false line before it, and costs nothing more.",
+            "It is false, but the step is right: it follows from a false line before it. A mistake costs points only once.",
         ),
         (Mark::Given, "It gives a name, a condition or a value, and needs no proof."),
         (Mark::Open, "It was not decided. Your teacher looks at it."),
@@ -189,8 +189,9 @@ fn said(line: &Line) -> String {
 /// What to do with a wrong line.
 fn advice(marked: &Marked, at: usize) -> &'static str {
     let is_sound = |line: &Line| matches!(line.mark, Mark::Right | Mark::Given);
-    match (at, marked.lines[..at].iter().all(is_sound)) {
-        (0, _) => "Check this line",
+    let before = &marked.lines[..at];
+    match (before.iter().any(|line| line.mark == Mark::Right), before.iter().all(is_sound)) {
+        (false, true) => "Check this line",
         (_, true) => "Check this step: the lines before it are right",
         (_, false) => "Check this step",
     }

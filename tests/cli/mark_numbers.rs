@@ -71,3 +71,42 @@ fn a_micro_before_a_unit_is_its_prefix() {
     assert_eq!(of("micro", "0{,}14"), ["given", "given", "right"]);
     assert_eq!(of("micro-wrong", "0{,}17").last().unwrap(), "wrong");
 }
+
+/// A mass on a spring that is stretched, with the frequency in the claims file alone.
+const STRETCHED: (&str, &str) = (
+    "Find $C$ for $l = 1.00\\,\\text{m}$, $a = 2.0\\,\\text{cm}$, $\\Omega = 2.0\\,\\text{s}^{-1}$, $g = 9.81\\,\\text{m/s}^2$.\n\n\
+     $$ B = \\frac{a \\Omega^2}{l (\\omega_0^2 - \\Omega^2)} \\tag{1} $$\n\n$$ C = a + l B \\tag{2} $$\n\n\
+     $$ s = 1000 C \\tag{3} $$\n",
+    r#"{ "notes": "p.md", "constants": { "l, a, g, \\Omega": "> 0", "\\omega_0": "\\sqrt{g/l}" },
+        "rubric": { "results": { "2": 1 } } }"#,
+);
+
+#[test]
+fn numbers_of_the_text_go_through_formulas_of_the_claims_file() {
+    let of = |name: &str, line: &str| marks(name, STRETCHED, &format!("$$ {line} $$\n"));
+    assert_eq!(of("through", "C = 3.38\\,\\text{cm}"), ["right"]);
+    assert_eq!(of("through-chain", "B = \\frac{a \\Omega^2}{g - l \\Omega^2} = 0.0138 = 0.79^\\circ"), ["right"]);
+    assert_eq!(of("through-name", "\\omega_0 = 3.13\\,\\text{s}^{-1}"), ["right"]);
+    // The twins: other numbers.
+    assert_eq!(of("through-false", "C = 3.28\\,\\text{cm}"), ["wrong"]);
+    assert_eq!(of("through-chain-false", "B = \\frac{a \\Omega^2}{g - l \\Omega^2} = 0.0183"), ["wrong"]);
+}
+
+#[test]
+fn zeros_at_the_end_and_terms_of_a_sum_may_be_rounded() {
+    // s is 33.77 m.
+    let of = |name: &str, line: &str| marks(name, STRETCHED, &format!("$$ {line} $$\n"));
+    assert_eq!(of("zeros", "s = 33770\\,\\text{mm}"), ["right"]);
+    assert_eq!(of("zeros-sum", "s = 20\\,\\text{m} + 14\\,\\text{m} = 34\\,\\text{m}"), ["right"]);
+    // The twins: another digit before the zeros, and another term.
+    assert_eq!(of("zeros-false", "s = 33870\\,\\text{mm}"), ["wrong"]);
+    assert_eq!(of("zeros-sum-false", "s = 20\\,\\text{m} + 17\\,\\text{m} = 37\\,\\text{m}"), ["wrong"]);
+}
+
+#[test]
+fn letters_alone_are_no_number() {
+    // The data of the problem make it true by chance: 0.02/0.01 is 2.
+    let lines = "$$ \\Omega = \\frac{a}{0.01 l} $$\n";
+    assert_ne!(marks("no-number", STRETCHED, lines), ["right"]);
+    assert_eq!(marks("a-number", STRETCHED, "$$ \\Omega = 2.0\\,\\text{s}^{-1} $$\n"), ["right"]);
+}

@@ -70,6 +70,8 @@ pub enum Because {
     Follows,
     /// It follows at the instant at which this speed is reached.
     AtSpeed(Name),
+    /// It follows where the first has the value of the second, which the problem names.
+    AtValue(Name, Name),
     /// What this predicate says.
     Said(String),
 }
@@ -79,6 +81,7 @@ impl fmt::Display for Because {
         match self {
             Because::Follows => f.write_str("follows from the problem"),
             Because::AtSpeed(speed) => write!(f, "follows where the speed is {speed}"),
+            Because::AtValue(of, value) => write!(f, "follows where {of} is {value}"),
             Because::Said(predicate) => f.write_str(predicate),
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::formula::symbols::Name;
 use crate::latex::names;
-use crate::notes::address::Address;
+use crate::notes::address::{Address, Item, Point};
 use crate::notes::claims::{Claim, Claims, Declaration, Role, Rubric, Share, Spanned};
 use crate::notes::{Display, Notes, Numbered};
 use crate::source::Span;
@@ -218,6 +218,18 @@ fn by_number(claims: &Claims, notes: &Notes) -> Result<Claims> {
         let Some(claim) = claim else { continue };
         let span = claims.equations.first().map_or(claims.notes.span, |(address, _)| address.span);
         equations.push((Address::of_number(display.id().unwrap_or_default(), span), claim.clone()));
+    }
+    // A claim about a part of a display stays one.
+    for (address, claim) in &claims.equations {
+        let Some(point) = address.single().filter(|point| point.row.or(point.part).or(point.step).is_some()) else {
+            continue;
+        };
+        for at in address.resolve(notes, &claims.source)? {
+            let whole = Address::of_number(notes.equations[at].id().unwrap_or_default(), address.span);
+            let target = whole.single().map_or_else(|| point.target.clone(), |of| of.target.clone());
+            let items = vec![Item::One(Point { target, ..point.clone() })];
+            equations.push((Address { items, ..whole }, claim.clone()));
+        }
     }
     Ok(Claims { equations, ..claims.clone() })
 }

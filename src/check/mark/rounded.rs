@@ -29,6 +29,8 @@ pub(super) struct Known {
     values: Vec<((SymbolId, u8), Expr)>,
     /// What conditions between constants say that one of them is: V_1 by `\frac{V_1}{V_2} = 10`.
     relations: Vec<((SymbolId, u8), Expr)>,
+    /// What they are if nothing else says it: numbers that the problem gives or prints.
+    last: Vec<((SymbolId, u8), Expr)>,
     is_any_number: bool,
 }
 
@@ -49,6 +51,28 @@ impl Known {
             let at = if is_condition { 0 } else { self.values.len() };
             self.values.insert(at, (rate, last));
         }
+    }
+
+    /// Adds a formula for a symbol, which counts for less than those before it.
+    pub fn add_formula(&mut self, id: SymbolId, value: Expr) {
+        self.values.push(((id, 0), value));
+    }
+
+    /// Adds a number for a symbol, for where no formula gives one.
+    pub fn add_at_last(&mut self, id: SymbolId, value: Expr) {
+        self.last.push(((id, 0), value));
+    }
+
+    /// The same with numbers counted only where no formula gives one.
+    pub fn with_numbers_last(mut self) -> Known {
+        let (numbers, values) = self.values.into_iter().partition(|(_, value)| value.symbols().is_empty());
+        (self.values, self.last) = (values, numbers);
+        self
+    }
+
+    /// Whether any condition gave a number.
+    pub fn has_numbers(&self) -> bool {
+        self.is_any_number
     }
 
     /// Whether the numbers that are known give a formula its value.
@@ -72,8 +96,9 @@ impl Known {
     /// The symbols that have numbers by themselves, or by formulas of symbols that have, and what the relations say.
     fn numbers(&self, checker: &Checker<'_>) -> Vec<((SymbolId, u8), Expr)> {
         let mut closed: Vec<((SymbolId, u8), Expr)> = Vec::new();
-        for _ in 0..DEEPEST {
-            for (id, value) in &self.values {
+        for pass in 0..2 * DEEPEST {
+            let last = self.last.iter().filter(|_| pass >= DEEPEST);
+            for (id, value) in self.values.iter().chain(last) {
                 let is_new = closed.iter().all(|(known, _)| known != id);
                 let value = inserted(&inserted(value, &closed), &self.relations);
                 let is_number = || match value.symbols().is_empty() {
@@ -106,7 +131,10 @@ impl Known {
         let rounded = Known { values: self.values.iter().rev().cloned().collect(), ..self.clone() };
         let ways = [self, &rounded].into_iter().flat_map(|known| {
             let own = known.numbers(checker);
-            let usual = GRAVITY.iter().filter_map(|value| known.with_gravity(checker, &own, value)).collect::<Vec<_>>();
+            let with = |name: &'static str, values: &'static [&'static str]| {
+                values.iter().filter_map(|value| known.with_usual(checker, &own, (name, value))).collect::<Vec<_>>()
+            };
+            let usual: Vec<_> = with("g", &GRAVITY).into_iter().chain(with("G", &GRAVITATION)).collect();
             std::iter::once(own).chain(usual)
         });
         ways.into_iter().any(|closed| fits_with(checker, (text, reading), &closed, &holds))
@@ -116,7 +144,7 @@ impl Known {
     /// or that prints a measured number (`is_measured`).
     pub fn missing(&self, checker: &Checker<'_>, reading: &Reading, is_measured: bool) -> Vec<SymbolId> {
         let closed = self.numbers(checker);
-        let closed = self.with_gravity(checker, &closed, GRAVITY[0]).unwrap_or(closed);
+        let closed = self.with_usual(checker, &closed, ("g", GRAVITY[0])).unwrap_or(closed);
         let gives_a_number = |pair: &&[Expr]| pair[1].symbols().is_empty() && !pair[1].is_null();
         let pairs = reading.statements.iter().flatten().flat_map(|statement| statement.members.windows(2));
         let open = pairs.filter(gives_a_number).map(|pair| inserted(&pair[0], &closed));
@@ -140,12 +168,14 @@ impl Known {
     pub fn or_of_others(&self, other: &Known) -> Known {
         let is_new = |(id, _): &&((SymbolId, u8), Expr)| self.values.iter().all(|(known, _)| known != id);
         let values = self.values.iter().chain(other.values.iter().filter(is_new)).cloned().collect();
-        Known { values, ..self.clone() }
+        let last = self.last.iter().chain(other.last.iter().filter(is_new)).cloned().collect();
+        Known { values, last, ..self.clone() }
     }
 
     /// Without values that are numbers, as they were printed.
     pub fn formulas(mut self) -> Known {
         self.values.retain(|(_, value)| !value.symbols().is_empty());
+        self.last.clear();
         self
     }
 
@@ -154,18 +184,19 @@ impl Known {
         Known {
             values: self.values.iter().chain(&other.values).cloned().collect(),
             relations: self.relations.iter().chain(&other.relations).cloned().collect(),
+            last: self.last.iter().chain(&other.last).cloned().collect(),
             is_any_number: self.is_any_number || other.is_any_number,
         }
     }
 
-    /// The numbers with a value of standard gravity, if the problem has a constant g that has no value.
-    fn with_gravity(
+    /// The numbers with the usual value of a constant, as standard gravity is for g, if the problem has one that has no value.
+    fn with_usual(
         &self,
         checker: &Checker<'_>,
         closed: &[((SymbolId, u8), Expr)],
-        value: &str,
+        (name, value): (&str, &str),
     ) -> Option<Vec<((SymbolId, u8), Expr)>> {
-        let (id, _) = checker.model.symbols.find(&names::parse("g")?.0)?;
+        let (id, _) = checker.model.symbols.find(&names::parse(name)?.0)?;
         let is_constant = matches!(checker.model.meaning(id), Some(Meaning::Constant(_)));
         (is_constant && closed.iter().all(|(rate, _)| *rate != (id, 0))).then(|| {
             let mut known = self.clone();
@@ -177,6 +208,9 @@ impl Known {
 
 /// What g is where no line says it, as it is usually rounded.
 const GRAVITY: [&str; 3] = ["9.81", "9.8", "10"];
+
+/// What G is where no line says it, as tables round it. Another number may be meant: a line that needs it is never wrong.
+const GRAVITATION: [&str; 3] = ["0.00000000006674", "0.0000000000667", "0.000000000066743"];
 
 /// The symbol that a side is, or of which it is a square or a function, and the formula for it.
 fn alone(side: &Expr, other: &Expr) -> Option<((SymbolId, u8), Expr)> {
@@ -239,6 +273,14 @@ fn spread(checker: &Checker<'_>, formula: &Expr, closed: &[((SymbolId, u8), Expr
         {
             rounded.push(digits.clone());
         }
+        // A term of a sum is a result of its own, and may be rounded to a whole number.
+        if let Node::Sum(terms) = &part.node
+            && terms.len() > 1
+        {
+            let whole = terms.iter().filter_map(|term| printed_number(&term.expr)).map(str::to_owned);
+            let new: Vec<String> = whole.filter(|digits| !rounded.contains(digits)).collect();
+            rounded.extend(new);
+        }
     });
     let gravity = GRAVITY.iter().filter_map(|digits| digits.parse::<f64>().ok());
     let data =
@@ -260,6 +302,23 @@ fn spread(checker: &Checker<'_>, formula: &Expr, closed: &[((SymbolId, u8), Expr
         Some((number(checker, &moved)? - whole?).abs())
     });
     offs.sum()
+}
+
+/// The digits of a formula that is a number, or a number with its unit: `382 \cdot 1000`.
+fn printed_number(formula: &Expr) -> Option<&str> {
+    let is_power_of_ten = |factor: &Expr| match &factor.node {
+        Node::Number(digits) => digits.trim_start_matches('1').chars().all(|c| c == '0') && digits.starts_with('1'),
+        Node::Power(base, _) => base.as_digits() == Some("10"),
+        _ => false,
+    };
+    match &formula.node {
+        Node::Number(digits) => Some(digits),
+        Node::Product(factors) => {
+            let (first, unit) = factors.split_first()?;
+            unit.iter().all(is_power_of_ten).then(|| first.as_digits()).flatten()
+        }
+        _ => None,
+    }
 }
 
 /// Whether the two sides of a link with ≈ agree to the digits that are printed on its right side, in states that obey
@@ -345,8 +404,11 @@ fn half_a_digit(text: &str) -> Option<f64> {
     let significant = digits.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count();
     let is_number = digits.chars().all(|c| c.is_ascii_digit() || c == '.') && digits.matches('.').count() <= 1;
     let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-    (is_number && significant > 1)
-        .then(|| 0.5 * scale * 10f64.powi(-i32::try_from(decimals).unwrap_or(0)) * (1.0 + EQUAL))
+    // Zeros at the end of a whole number are no digits: 2740 may be 2738, where two digits are left.
+    let zeros = if digits.contains('.') { 0 } else { digits.len() - digits.trim_end_matches('0').len() };
+    let zeros = if significant > zeros + 1 { zeros } else { 0 };
+    let power = i32::try_from(zeros).unwrap_or(0) - i32::try_from(decimals).unwrap_or(0);
+    (is_number && significant > 1).then(|| 0.5 * scale * 10f64.powi(power) * (1.0 + EQUAL))
 }
 
 #[cfg(test)]
@@ -359,6 +421,7 @@ mod tests {
         assert!(near("57.7", 0.05) && near("- 0.289", 0.0005) && near("24", 0.5));
         assert!(near(r"1.2 \cdot 10^{3}", 50.0) && near(r"938 \cdot 1.6 \cdot 10^{-13}", 8e-14));
         assert!(near(r"\frac{47 \pi}{180}", std::f64::consts::PI / 360.0));
+        assert!(near("2740", 5.0) && near("442000", 500.0) && near("27.40", 0.005) && near("300", 0.5));
         // The twins: one digit is exact, and a formula is no number.
         assert!(half_a_digit("2").is_none() && half_a_digit("0.5").is_none() && half_a_digit("2 g").is_none());
         assert!(half_a_digit(r"47 \cdot g").is_none());

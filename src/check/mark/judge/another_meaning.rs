@@ -175,6 +175,30 @@ impl Judge<'_, '_> {
         why
     }
 
+    /// Why a line may be about an energy whose letter is a constant of the problem, as T for a period: it says what moves for it.
+    pub(super) fn energy_for_a_constant(&self, reading: &Reading) -> Option<String> {
+        let [Ok(statement)] = reading.statements.as_slice() else { return None };
+        let id = statement.members.first()?.as_plain_symbol()?;
+        let name = &self.quiet.model.symbols.entry(id).name;
+        let is_energy = ["T", "U", "V", "W", "E", "K"].contains(&name.base.as_str());
+        let is_rate = |(id, dots): &(SymbolId, u8)| *dots > 0 || self.quiet.model.is_coordinate(*id);
+        let is_fixed = match self.quiet.model.meaning(id) {
+            Some(Meaning::Defined(formula)) => !self.is_own(id) && !formula.symbols().iter().any(is_rate),
+            Some(Meaning::Constant(_)) => !self.is_own(id),
+            _ => false,
+        };
+        let mut squares = false;
+        for member in &statement.members[1..] {
+            member.walk(&mut |part| {
+                let Node::Power(base, power) = &part.node else { return };
+                let is_rate = |(id, dots): &(SymbolId, u8)| *dots == 1 && self.quiet.model.is_coordinate(*id);
+                squares |= power.as_digits() == Some("2") && base.symbols().iter().any(is_rate);
+            });
+        }
+        (is_energy && is_fixed && squares)
+            .then(|| format!("seems to mean an energy by {}, which is something else in the problem", self.shown(id)))
+    }
+
     /// A reading in which t is the time that runs, also where it was taken for an instant.
     pub(super) fn with_running_time(&self, reading: &Reading) -> Reading {
         let symbols = &self.quiet.model.symbols;

@@ -113,8 +113,9 @@ impl Judge<'_, '_> {
             return false;
         }
         let positive = Spanned::new(format!("\\dot{{{}}} > 0", checker.model.name(*id)), Span::default());
-        let supposed = self.world.problem.contexts.iter().filter(|claim| !claim.assume.is_empty());
-        supposed.filter(|claim| !checker.starts(claim)).any(|claim| {
+        let supposed = self.world.problem.contexts.iter().enumerate().filter(|(_, claim)| !claim.assume.is_empty());
+        let granted = supposed.filter(|(at, _)| self.is_granted(*at, display, reading)).map(|(_, claim)| claim);
+        granted.filter(|claim| !checker.starts(claim)).any(|claim| {
             let assume = claim.assume.iter().cloned().chain([positive.clone()]).collect();
             self.holds_under(checker, display, reading, &Claim { assume, ..claim.clone() })
         })

@@ -48,6 +48,11 @@ impl Judge<'_, '_> {
 
     /// Whether a reading is right to the printed digits, with the numbers that the student gave to the quantities.
     pub(super) fn is_rounded(&self, display: usize, reading: &Reading) -> bool {
+        // A line without a printed number has no digits, unless the student gave numbers.
+        let mut members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        if !self.known.has_numbers() && !members.any(|member| member.symbols().is_empty() && !member.is_null()) {
+            return false;
+        }
         let known = self.known_with_the_problem();
         let text = &self.quiet.notes.equations[display].text;
         known.fits(self.quiet, text, reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
@@ -84,11 +89,20 @@ impl Judge<'_, '_> {
         self.known.or(&self.data).or(&self.printed())
     }
 
-    /// What the problem prints.
+    /// What the problem prints, and what its claims file says that a name stands for.
     fn printed(&self) -> Known {
         let mut printed = Known::default();
         for at in 0..self.world.problem.notes.equations.len() {
             printed.add(&self.quiet.readings[at], false);
+        }
+        printed = printed.with_numbers_last();
+        let model = self.quiet.model;
+        for (id, entry) in model.symbols.iter() {
+            if let Some(Meaning::Defined(formula)) = model.meaning(id)
+                && self.world.problem.names.symbols.find(&entry.name).is_some()
+            {
+                printed.add_formula(id, formula.as_ref().clone());
+            }
         }
         printed
     }
@@ -108,14 +122,19 @@ pub(super) fn data(checker: &Checker<'_>, world: &World<'_>) -> Known {
         let mut first = of_problem.iter().flat_map(|reading| reading.statements.iter().flatten());
         first.any(|statement| statement.members.first().and_then(Expr::as_plain_symbol) == Some(id))
     };
-    let gives = |reading: &Reading| -> Option<(SymbolId, Expr)> {
+    let number = |reading: &Reading| -> Option<(SymbolId, Expr)> {
         let [Ok(statement)] = reading.statements.as_slice() else { return None };
         let [name, value] = statement.members.as_slice() else { return None };
         let name = name.as_plain_symbol().filter(|_| value.symbols().is_empty())?;
-        let is_constant = matches!(checker.model.meaning(name), Some(Meaning::Constant(_)));
-        (is_constant && !is_sought(name)).then(|| (name, value.clone()))
+        Some((name, value.clone()))
     };
-    let stated: Vec<Reading> = stated.filter(|reading| gives(reading).is_some()).collect();
+    let gives = |reading: &Reading| -> Option<(SymbolId, Expr)> {
+        let (name, value) = number(reading)?;
+        let is_constant = matches!(checker.model.meaning(name), Some(Meaning::Constant(_)));
+        (is_constant && !is_sought(name)).then_some((name, value))
+    };
+    let numbers: Vec<Reading> = stated.filter(|reading| number(reading).is_some()).collect();
+    let stated: Vec<&Reading> = numbers.iter().filter(|reading| gives(reading).is_some()).collect();
     let own: Vec<&Reading> =
         checker.readings[world.first..].iter().filter(|reading| gives(reading).is_some()).collect();
     let is_single = |reading: &&&Reading| {
@@ -125,6 +144,12 @@ pub(super) fn data(checker: &Checker<'_>, world: &World<'_>) -> Known {
             .all(|other| found.as_ref().is_some_and(|(name, value)| other.0 != *name || other.1 == *value))
     };
     let mut known = Known::default();
-    stated.iter().chain(own.iter().filter(is_single).copied()).for_each(|reading| known.add(reading, true));
+    stated.into_iter().chain(own.iter().filter(is_single).copied()).for_each(|reading| known.add(reading, true));
+    // What the model solution gives a formula may be a datum of the part with numbers: "for $r_0 = 2\,\text{m}$".
+    let is_defined = |id: SymbolId| matches!(checker.model.meaning(id), Some(Meaning::Defined(_)));
+    let sought = numbers.iter().filter(|reading| gives(reading).is_none()).filter_map(number);
+    sought
+        .filter(|(id, value)| is_defined(*id) && !value.is_null())
+        .for_each(|(id, value)| known.add_at_last(id, value));
     known
 }

@@ -95,6 +95,10 @@ impl Judge<'_, '_> {
             }
             return Some(given("is a special state of the motion, and is taken for granted"));
         }
+        let is_phase = |statement: &&Statement| self.is_instant_of_a_phase(statement);
+        if written.inline && written.continues.is_none() && !statements.is_empty() && statements.iter().all(is_phase) {
+            return Some(given("names an instant by its phase"));
+        }
         if let Some(name) = vanishes(self.quiet, &statements).filter(|_| is_said) {
             self.breaks.push((name, written.name.clone()));
             return Some(open("is a condition that the problem does not have"));
@@ -143,6 +147,9 @@ impl Judge<'_, '_> {
         if self.is_tried(at, reading) {
             return Ok(Some(given(TRIAL)));
         }
+        if let Some(reason) = self.solves_a_printed_equation(at, reading) {
+            return Ok(Some(given(reason)));
+        }
         if let Some(name) = self.follows_from_a_trial(reading) {
             return Ok(Some(right(format!("follows from the trial solution in {name}"))));
         }
@@ -166,8 +173,9 @@ impl Judge<'_, '_> {
             return Ok(Some(right("is right, with another zero of the potential energy")));
         }
         if self.is_rounded(display, reading) {
+            let whose = if self.known.has_numbers() { "student" } else { "problem" };
             self.known.add(reading, false);
-            return Ok(Some(right("is right to the printed digits, with the numbers of the student")));
+            return Ok(Some(right(format!("is right to the printed digits, with the numbers of the {whose}"))));
         }
         if let Some(name) = self.follows_under_a_condition(reading) {
             return Ok(Some(right(format!("follows under the condition of {name}"))));
@@ -267,8 +275,18 @@ impl Judge<'_, '_> {
             let because = format!("uses {}, which no line defines", self.unknown(reading).join(", "));
             return Ok((Mark::Open, Some(Verdict::Undecided), because));
         }
+        if let Some(why) = self.energy_for_a_constant(reading).filter(|_| self.details) {
+            return Ok((Mark::Open, Some(Verdict::Undecided), why));
+        }
         if let Some(why) = self.another_meaning(display, reading).filter(|_| self.details) {
             return Ok((Mark::Open, Some(Verdict::Undecided), why));
+        }
+        let trusting = Checker { readings: &self.trusted, units: self.quiet.units.clone(), ..*self.quiet };
+        if self.details
+            && let Some(case) = self.unsaid_case(&trusting, display, reading)
+        {
+            let because = format!("holds only where {case}, and no line says that it is about this case");
+            return Ok((Mark::Open, Some(Verdict::Undecided), because));
         }
         let missing = if self.details { self.missing_values(display, reading) } else { Vec::new() };
         if !missing.is_empty() {

@@ -32,10 +32,12 @@ use super::world::World;
 mod another_meaning;
 mod cases;
 mod digits;
+mod extrema;
 mod false_line;
 mod instants;
 mod readings;
 mod secular;
+mod supposed;
 mod trial;
 
 use readings::{Break, free_of, with_dots};
@@ -81,6 +83,7 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Riv
             motion,
             trusted: checker.readings.to_vec(),
             premises: checker.readings.to_vec(),
+            cases: supposed::cases(&quiet, world, details),
             conditions: Vec::new(),
             breaks: Vec::new(),
             known: Known::default(),
@@ -130,6 +133,8 @@ struct Judge<'j, 'c> {
     trusted: Vec<Reading>,
     /// The readings, in which a row of a chain says what it says of the first member.
     premises: Vec<Reading>,
+    /// For each set of hypotheses of the problem, those that make a case.
+    cases: Vec<Vec<Reading>>,
     /// The conditions that were stated, as LaTeX, with the names of their lines.
     conditions: Vec<(String, String)>,
     /// The conditions that the problem does not meet.
@@ -226,6 +231,7 @@ impl Judge<'_, '_> {
             Status::Unread(message) => {
                 (line.mark, line.verdict, line.because) = (Mark::Unread, Some(Verdict::Unreadable), message.into());
             }
+            Status::False(_) if self.is_at_an_extremum(at, &reading, &mut line) => {}
             Status::False(finding) => {
                 if let Some(said) = near_rest::of_the_frequency(self.quiet, self.world, &self.quiet.readings[display]) {
                     self.premises[display] = said;
@@ -277,10 +283,15 @@ impl Judge<'_, '_> {
         if of_frequency.as_ref().is_some_and(|said| all.any(|claim| self.holds_under(&checker, display, said, claim))) {
             return (Status::Holds(Verdict::Verified), Some("follows for a small deviation".into()));
         }
-        for context in &self.world.problem.contexts {
+        for (at, context) in self.world.problem.contexts.iter().enumerate() {
             // While the motion stays at a place there is no deviation, and anything holds of it.
             let is_still = of_frequency.is_some() && !context.throughout.is_empty();
-            if is_still || special::is_degenerate(&checker, context, reading) {
+            if is_still
+                || special::is_degenerate(&checker, context, reading)
+                || !self.is_granted(at, display, reading)
+                || !self.cases[at].is_empty()
+                    && self.under(&checker, display, reading, context) == supposed::Under::Anyway
+            {
                 continue;
             }
             let loose = (!context.small.is_empty() || context.limit.is_some()).then(|| approximate(reading));

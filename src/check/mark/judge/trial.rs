@@ -1,11 +1,16 @@
 //! Trial solutions, `x_1 = A_1 \cos\omega t` with names of the student's own, and what the laws say of those names.
 
+use crate::formula::calculus::places::at;
+use crate::formula::derivative::{Scope, partial};
+use crate::formula::tree::Variable;
 use crate::formula::{Expr, Node, Relation, SymbolId};
 use crate::latex::Reading;
+use crate::notes::claims::Claim;
 
 use crate::check::mark::carried::numbers;
 use crate::check::mark::motion::{printed, with_rates_taken};
-use crate::check::model::claim::{Hypothesis, Link};
+use crate::check::mark::status::{Status, status};
+use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::meaning::Meaning;
 use crate::check::verdict::Verdict;
 
@@ -97,6 +102,104 @@ impl Judge<'_, '_> {
         members().flat_map(Expr::symbols).any(|(id, _)| of_trials.contains(&id) && self.is_own(id))
     }
 
+    /// What a function of the time in letters of the problem is, that solves an equation of motion which the problem prints: the steady
+    /// motion `\theta = B\cos\Omega t`, also where the exact law has no such solution. Or it is what a quantity of the problem is to
+    /// first order along that motion: `x = C\cos\Omega t`.
+    pub(super) fn solves_a_printed_equation(&self, at: usize, reading: &Reading) -> Option<&'static str> {
+        let [Ok(statement)] = reading.statements.as_slice() else { return None };
+        let (first, others) = statement.members.split_first().filter(|(_, others)| !others.is_empty())?;
+        let is_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
+        // What solves the exact laws is judged by them, and by the values at the start.
+        let display = self.world.first + at;
+        let is_exact = || matches!(status(self.quiet, display, reading, &Claim::default()), Status::Holds(_));
+        if !self.details || !is_equal || is_exact() {
+            return None;
+        }
+        if let Some(own) = printed(self.quiet, statement).filter(|own| own.dots == 0 && others.len() == 1) {
+            let own = Trial { coordinate: own.coordinate, formula: own.formula, line: String::new() };
+            return self.is_a_solution(own).then_some("solves an equation of motion that the problem prints");
+        }
+        let model = self.quiet.model;
+        let id = first.as_plain_symbol()?;
+        let Some(Meaning::Defined(formula)) = model.meaning(id) else { return None };
+        if !self.world.written[at].is_near || !model.contains_time(formula) && !self.moves(formula) {
+            return None;
+        }
+        let free = self.quiet.without_system(false).model;
+        let is_it = |steady: &Trial| {
+            let Some(value) = self.to_first_order(formula, steady) else { return false };
+            others.iter().all(|member| {
+                let Some(member) = self.to_first_order(member, steady) else { return false };
+                let link = self.quiet.link(&value, Relation::Equal, &member);
+                link.is_ok_and(|link| numbers::holds(self.quiet, &free, &link, &[]) == Some(true))
+            })
+        };
+        self.steady_motions()
+            .iter()
+            .any(is_it)
+            .then_some("holds for small motion, along the steady motion of the problem")
+    }
+
+    /// Whether a function of the time solves an equation of motion of the problem, of which nothing is left that moves.
+    fn is_a_solution(&self, own: Trial) -> bool {
+        let verdicts = &self.world.problem.verdicts;
+        let is_true = |at: &usize| verdicts[*at].holds() || verdicts[*at] == Verdict::Law;
+        let displays = (0..self.world.problem.notes.equations.len()).filter(is_true);
+        let has_rate = |link: &Link| {
+            let symbols = [link.lhs.symbols(), link.rhs.symbols()].concat();
+            symbols.iter().any(|(id, dots)| *dots == 2 && *id == own.coordinate)
+        };
+        let links = displays.flat_map(|at| numbers::links(self.quiet, &self.quiet.readings[at]).unwrap_or_default());
+        let model = self.quiet.without_system(false).model;
+        let trials = std::slice::from_ref(&own);
+        links.filter(has_rate).filter_map(|link| self.with(trials, &link)).any(|link| {
+            !self.moves(&link.lhs)
+                && !self.moves(&link.rhs)
+                && numbers::holds(self.quiet, &model, &numbers::beside_one(self.quiet, &link), &[]) == Some(true)
+        })
+    }
+
+    /// Whether a coordinate is in a formula.
+    fn moves(&self, formula: &Expr) -> bool {
+        let moves = |(id, _): &(SymbolId, u8)| {
+            matches!(self.quiet.model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)))
+        };
+        formula.symbols().iter().any(moves)
+    }
+
+    /// The functions of the time, in the text of the problem and the lines before, that solve an equation of motion of the problem.
+    fn steady_motions(&self) -> Vec<Trial> {
+        let notes = &self.world.problem.notes;
+        let texts = notes.inline.iter().filter_map(|span| notes.source.text.get(span.range()));
+        let read =
+            |text: &str| self.quiet.as_printed(text.trim_matches('$'), &Claim::default(), &self.quiet.model.macros);
+        let lines = (0..self.lines.len()).map(|at| self.quiet.readings[self.world.first + at].clone());
+        let found = texts.map(read).chain(lines).filter_map(|reading| {
+            let [Ok(statement)] = reading.statements.as_slice() else { return None };
+            let own = printed(self.quiet, statement).filter(|own| own.dots == 0 && statement.members.len() == 2)?;
+            let trial =
+                |line: &str| Trial { coordinate: own.coordinate, formula: own.formula.clone(), line: line.to_owned() };
+            self.is_a_solution(trial("")).then(|| trial(""))
+        });
+        found.collect()
+    }
+
+    /// What a formula is to first order in a coordinate, with a function of the time in its place; `None`, if rates are in it.
+    fn to_first_order(&self, formula: &Expr, steady: &Trial) -> Option<Expr> {
+        let symbols = &self.quiet.model.symbols;
+        let id = steady.coordinate;
+        if formula.symbols().iter().any(|(other, dots)| *other == id && *dots > 0) {
+            return None;
+        }
+        let by = Variable { id, indices: Vec::new(), dots: 0 };
+        let slope = partial(formula, &by, Scope { symbols, fixed: &[] }, formula.span).ok()?;
+        let zero = Expr::integer(0, formula.span);
+        let (start, slope) = (self::at(formula, id, &zero), self::at(&slope, id, &zero));
+        let change = Expr::new(Node::Product(vec![slope, steady.formula.clone()]), formula.span);
+        let whole = start.minus(change.negated());
+        (!self.moves(&whole)).then_some(whole)
+    }
+
     /// The line of a trial solution from which a line follows with the laws: it says of the student's own names what the
     /// equations of motion say of them with the trial in the place of the coordinates.
     pub(super) fn follows_from_a_trial(&self, reading: &Reading) -> Option<&str> {
@@ -162,12 +265,17 @@ impl Judge<'_, '_> {
 
     /// An equation with the trials in the place of the coordinates.
     fn with_trials(&self, link: &Link) -> Option<Link> {
+        self.with(&self.trials, link)
+    }
+
+    /// The same with other functions of the time.
+    fn with(&self, trials: &[Trial], link: &Link) -> Option<Link> {
         let inserted = |side: &Expr| {
             let mut side = side.clone();
             side.substitute(&|node| {
                 let Node::Symbol { id, dots, .. } = node else { return None };
                 // The last trial for a coordinate counts.
-                let trial = self.trials.iter().rev().find(|trial| trial.coordinate == *id)?;
+                let trial = trials.iter().rev().find(|trial| trial.coordinate == *id)?;
                 let span = trial.formula.span;
                 Some(match *dots {
                     0 => trial.formula.clone(),

@@ -2,7 +2,7 @@
 
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
 use crate::latex::Reading;
-use crate::notes::claims::{Claim, Lost, Range};
+use crate::notes::claims::{Claim, Lost, Range, Spanned};
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
@@ -26,6 +26,10 @@ pub(super) struct Goal {
     symbols: Vec<(SymbolId, u8)>,
     /// Whether the problem gives it as a law.
     is_law: bool,
+    /// The names that other results give a formula for: a line that uses one of them is a step on the way.
+    others: Vec<SymbolId>,
+    /// What the claim says that the result is too.
+    also: Option<Expr>,
 }
 
 impl Goal {
@@ -51,10 +55,20 @@ impl Goal {
             symbols.extend([first, last].into_iter().flat_map(Expr::symbols));
         }
         let none = Claim::default();
-        let hypotheses = checker.hypotheses(checker.assigned[wanted.display].unwrap_or(&none)).ok()?;
+        let claim = checker.assigned[wanted.display].unwrap_or(&none);
+        // What holds at the start alone says nothing of a result that starts there.
+        let lasts = |text: &&Spanned<String>| checker.without_start(&text.value).is_none();
+        let assume = claim.assume.iter().filter(lasts).cloned().collect();
+        let hypotheses = checker.hypotheses(&Claim { assume, ..claim.clone() }).ok()?;
+        let also = claim.also_equals.as_ref().and_then(|text| {
+            let reading = checker.as_printed(&text.value, &none, &checker.model.macros);
+            Some(reading.statements.first()?.as_ref().ok()?.members.first()?.clone())
+        });
         symbols.sort_unstable();
         symbols.dedup();
-        (!links.is_empty()).then_some(Goal { model, links, hypotheses, symbols, is_law })
+        let is_own = |id: &SymbolId| symbols.iter().any(|(own, _)| own == id);
+        let others = super::names(checker, world.problem).into_iter().filter(|id| !is_own(id)).collect();
+        (!links.is_empty()).then_some(Goal { model, links, hypotheses, symbols, is_law, others, also })
     }
 
     /// Whether a link gives a number, or a formula of fewer names, for a wanted quantity that does not vary: the student has put
@@ -92,6 +106,10 @@ impl Goal {
     }
 
     fn says(&self, checker: &Checker<'_>, world: &World<'_>, link: &Link, wanted: &Link) -> bool {
+        if self.also.as_ref() == Some(&link.lhs) {
+            let same = checker.link(&link.rhs, Relation::Equal, &wanted.rhs);
+            return same.is_ok_and(|same| self.holds(checker, &same, &[]) == Some(true));
+        }
         // What the problem gives is no result, though with its definitions it may say the same.
         let is_same = || checker.proportional(link, wanted, &[]).unwrap_or(false);
         if !(is_about_its_rates(checker, link, wanted) || is_same()) || !self.is_law && says_a_law(checker, world, link)
@@ -155,10 +173,14 @@ impl Goal {
         &self,
         checker: &Checker<'_>,
         world: &World<'_>,
-        reading: &Reading,
+        (own_line, reading): (usize, &Reading),
         lines: &[Line],
     ) -> bool {
+        // A line does not say by itself what its other quantities are.
         let gives = |id: SymbolId, at: usize| {
+            if at == own_line {
+                return false;
+            }
             let own = links(checker, &checker.readings[world.first + at]);
             lines[at].mark == Mark::Right
                 && own.iter().any(|link| [&link.lhs, &link.rhs].into_iter().any(|side| is_power_of(side, id)))
@@ -223,7 +245,7 @@ impl Goal {
             }
             match checker.model.meaning(id) {
                 Some(Meaning::System(_)) => return None,
-                Some(Meaning::Defined(_)) if of_problem(id) => return None,
+                Some(Meaning::Defined(_)) if of_problem(id) || self.others.contains(&id) => return None,
                 // A letter or primes for a rate say nothing of their own.
                 Some(Meaning::Defined(formula)) if matches!(formula.node, Node::Symbol { .. }) => {}
                 Some(Meaning::Defined(_)) => own.push(id),
@@ -231,6 +253,12 @@ impl Goal {
             }
         }
         (own.len() <= 1).then_some(own.len())
+    }
+
+    /// Whether a reading has the left side of the result.
+    pub fn has_its_side(&self, checker: &Checker<'_>, reading: &Reading) -> bool {
+        let own = links(checker, reading);
+        own.iter().any(|link| self.links.iter().any(|wanted| link.lhs == wanted.lhs))
     }
 
     /// Whether a false reading was meant as the result: it has the same left side, or the same rates in it; and what it is

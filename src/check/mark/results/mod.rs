@@ -38,26 +38,37 @@ pub(super) fn found(
     lines: &mut [Line],
     (premises, corrected): (&[Reading], Option<&[Option<String>]>),
 ) -> Result<Vec<Option<Found>>> {
-    let is_at_speed: Vec<bool> = lines.iter().map(|line| matches!(line.because, Because::AtSpeed(_))).collect();
+    let is_at = |line: &Line| matches!(line.because, Because::AtSpeed(_) | Because::AtValue(..));
+    let is_at_value: Vec<bool> = lines.iter().map(is_at).collect();
     let readings = |at: usize| {
         let display = world.first + at;
         let own = &checker.readings[display];
         let mut both = vec![own.clone()];
-        if world.written[at].continues.is_some() || is_at_speed[at] {
+        if world.written[at].continues.is_some() || is_at_value[at] {
             both.push(premises[display].clone());
         }
         both.extend(with_named_rates(checker, own));
         both
     };
-    let mut all = Vec::new();
-    for wanted in &world.problem.wanted {
-        let search = Goal::of(checker, world, wanted).map(|goal| Search { checker, world, goal, readings: &readings });
-        let found = search.and_then(|search| {
-            let right = search.right(lines);
-            let found = right.or_else(|| search.with_slip(lines, corrected?));
-            found.or_else(|| search.in_other_quantities(lines))
-        });
-        all.push(found);
+    let search =
+        |wanted| Goal::of(checker, world, wanted).map(|goal| Search { checker, world, goal, readings: &readings });
+    let searches: Vec<Option<Search<'_, '_, _>>> = world.problem.wanted.iter().map(search).collect();
+    let right = |search: &Option<Search<'_, '_, _>>| search.as_ref().and_then(|search| search.right(lines));
+    let mut all: Vec<Option<Found>> = searches.iter().map(right).collect();
+    // A false line is meant as one result: first as that whose left side it has.
+    let mut taken: Vec<usize> = Vec::new();
+    for only_its_own in [true, false] {
+        for (at, search) in searches.iter().enumerate().filter(|_| corrected.is_some()) {
+            if let (None, Some(search), Some(corrected)) = (&all[at], search, corrected) {
+                all[at] = search.with_slip(lines, corrected, (&taken, only_its_own));
+                taken.extend(all[at].as_ref().map(|found| found.line));
+            }
+        }
+    }
+    for (at, search) in searches.iter().enumerate() {
+        if let (None, Some(search)) = (&all[at], search) {
+            all[at] = search.in_other_quantities(lines);
+        }
     }
     Ok(all)
 }
@@ -105,7 +116,8 @@ impl<R: Fn(usize) -> Vec<Reading>> Search<'_, '_, R> {
         let says = |at: &usize| {
             let mut own = (self.readings)(*at).into_iter();
             lines[*at].mark == Mark::Right
-                && own.any(|reading| self.goal.is_with_known_quantities(self.checker, self.world, &reading, lines))
+                && own
+                    .any(|reading| self.goal.is_with_known_quantities(self.checker, self.world, (*at, &reading), lines))
         };
         let line = (0..lines.len()).find(says)?;
         Some(Found { line, is_right: true, lost: None, parts: Vec::new() })
@@ -118,10 +130,20 @@ impl<R: Fn(usize) -> Vec<Reading>> Search<'_, '_, R> {
     }
 
     /// The line that reaches the result with a slip. `corrected` are the texts of lines without their slips.
-    fn with_slip(&self, lines: &mut [Line], corrected: &[Option<String>]) -> Option<Found> {
+    /// `taken` are lines that were meant as other results; `only_its_own` if the line must have the left side of the result.
+    fn with_slip(
+        &self,
+        lines: &mut [Line],
+        corrected: &[Option<String>],
+        (taken, only_its_own): (&[usize], bool),
+    ) -> Option<Found> {
         let is_false = |line: &Line| matches!(line.mark, Mark::Wrong | Mark::Carried);
+        let has_its_side = |at: usize| (self.readings)(at).iter().any(|own| self.goal.has_its_side(self.checker, own));
         let mut with_slip = None;
-        for at in (0..lines.len()).rev().filter(|at| is_false(&lines[*at])) {
+        for at in (0..lines.len()).rev().filter(|at| is_false(&lines[*at]) && !taken.contains(at)) {
+            if only_its_own && !has_its_side(at) {
+                continue;
+            }
             let Some(off) = self.attempt(at, corrected[at].as_deref()) else { continue };
             // A number that was put in says less than the formula before it.
             let is_number = self.is_number(at);

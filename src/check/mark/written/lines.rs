@@ -35,6 +35,12 @@ pub(in crate::check::mark) struct Written {
     pub is_example: bool,
     /// Whether "or" stands between it and the line before it.
     pub is_alternative: bool,
+    /// Whether the words before it say that it is about the start of the motion.
+    pub is_at_start: bool,
+    /// Whether the words before it say that something is largest or smallest there.
+    pub is_extremum: bool,
+    /// Whether the text before it speaks of such a place.
+    pub is_after_extremum: bool,
     /// Whether the text before it says that something is small.
     pub is_near: bool,
     /// Edits of what is read that make it readable.
@@ -133,6 +139,12 @@ pub(in crate::check::mark) fn written(notes: &Notes, macros: &Macros) -> Vec<Wri
                 is_alternative: found.last().is_some_and(|before: &Written| {
                     text.get(before.span.end..span.start).is_some_and(foreign::says_or)
                 }),
+                is_at_start: is_at_start(text, display.map_or(body.start, |display| display.span.start)),
+                is_extremum: is_extremum(text, display.map_or(body.start, |display| display.span.start)),
+                is_after_extremum: {
+                    let before = text[..span.start].to_lowercase();
+                    EXTREMUM.iter().any(|word| before.contains(word))
+                },
                 is_near: SMALL.iter().any(|word| text[..span.start].to_lowercase().contains(word)),
                 edits: Vec::new(),
             });
@@ -198,6 +210,58 @@ fn is_tried(text: &str, at: usize) -> bool {
 fn is_supposed(text: &str, at: usize) -> bool {
     let clause = clause_before(text, at);
     SUPPOSED.iter().any(|word| clause.contains(word))
+}
+
+/// Words for the start of a motion, in some languages.
+const START: [&str; 14] = [
+    "at the start",
+    "at the beginning",
+    "at first",
+    "initially",
+    "initial acceleration",
+    "am anfang",
+    "zu beginn",
+    "anfangs",
+    "au début",
+    "au départ",
+    "al principio",
+    "al inicio",
+    "all'inizio",
+    "na początku",
+];
+
+/// Whether the clause before a place says that what follows is about the start of the motion.
+fn is_at_start(text: &str, at: usize) -> bool {
+    let clause = clause_before(text, at);
+    START.iter().any(|words| clause.contains(words))
+}
+
+/// Words for an extremum, and beginnings of such words, in some languages.
+const EXTREMUM: [&str; 18] = [
+    "largest",
+    "smallest",
+    "greatest",
+    "least",
+    "maxim",
+    "minim",
+    "extrem",
+    "resonan",
+    "résonan",
+    "größte",
+    "kleinste",
+    "am größten",
+    "am kleinsten",
+    "plus grand",
+    "plus petit",
+    "risonan",
+    "największ",
+    "najmniejsz",
+];
+
+/// Whether the clause before a place says that something is largest or smallest there.
+fn is_extremum(text: &str, at: usize) -> bool {
+    let clause = clause_before(text, at);
+    EXTREMUM.iter().any(|word| clause.contains(word))
 }
 
 /// The clause before a place, in small letters.
