@@ -69,9 +69,7 @@ const MOST_BY_CRAMER: usize = 4;
 fn cramer<D: Number>(what: &str, matrix: &DMatrix<D>, right: &[D]) -> Result<Vec<D>> {
     let n = right.len();
     if n > MOST_BY_CRAMER {
-        return Err(Error::new(format!(
-            "the {what} has {n} rows, too many for Cramer's rule, which is used for at most {MOST_BY_CRAMER}"
-        )));
+        return Err(Error::new(format!("a {what} of {n} rows, of which at most {MOST_BY_CRAMER} are solved exactly")));
     }
     let determinant = determinant(matrix);
     let with_column = |j: usize| DMatrix::from_fn(n, n, |i, k| if k == j { right[i] } else { matrix[(i, k)] });

@@ -33,8 +33,7 @@ pub(crate) struct SumHypotheses {
     pub families: Vec<SymbolId>,
 }
 
-pub(crate) const NOT_SOLVED: &str =
-    "hypotheses that are not linear in any symbol, so that they cannot be solved exactly";
+pub(crate) const NOT_SOLVED: &str = "hypotheses that cannot be solved exactly, because they are linear in no symbol";
 
 /// The reason for which a claim stays open if only one solution of its hypotheses was tested.
 pub(crate) const OTHER_WAYS: &str = "hypotheses that may have more than one solution";

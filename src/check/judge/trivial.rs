@@ -29,7 +29,7 @@ pub(crate) fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
         return Some(context.finding(
             Code::TrueByDefinition,
             Verdict::Definition,
-            "true by definition: the claims file defines the symbol by this formula",
+            "true by definition: this formula defines the symbol",
         ));
     }
     if let Some(finding) = context.unclear(&[&link.lhs, &link.rhs]) {

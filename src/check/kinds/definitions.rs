@@ -97,7 +97,7 @@ pub fn check(
         }
         None => {
             let message =
-                format!("defines {name}; a wrong formula for {name}{except} would make {} fail", names.join(" or "));
+                format!("defines {name}; tested by {}: a wrong formula{except} would fail there", names.join(" or "));
             Ok(Finding { points, tried: points, ..context.finding(code, Verdict::Definition, message) })
         }
     }

@@ -191,10 +191,18 @@ pub(crate) fn in_first_order(
             return Ok(None);
         };
         let left = system.euler_lagrange(Dual::from_re(state.base.time), &q, &v, &parameters, &a);
+        // Coordinates without a formula are at 0 here, which must be a place of rest.
+        if left.iter().any(|row| !residual::vanishes(row.re)) {
+            return Ok(None);
+        }
         for (place, row) in left.iter().enumerate().filter(|(place, _)| all[*place].is_some()) {
             let inertia = system.mass_matrix(Dual::from_re(state.base.time), &q, &v, &parameters)[(place, place)].re;
+            // Without inertia, as of an angle at r = 0, the equation says nothing of the motion.
+            if inertia.value == 0.0 {
+                return Ok(None);
+            }
             let size = (inertia * a[place].eps).value.abs();
-            if !residual::vanishes(row.re) || !residual::vanishes(row.eps) {
+            if !residual::vanishes(row.eps) {
                 return Ok(None);
             }
             if size > 0.0 {
@@ -208,7 +216,7 @@ pub(crate) fn in_first_order(
     }
     let name = text::plain(&model.name(solution.coordinate));
     let message = format!("solves the equations of motion for {name} to first order, as for small oscillations");
-    let found = context.verified(message, "the equations of motion are replaced by their first order");
+    let found = context.verified(message, "equations of motion that are replaced by their first order");
     Ok(Some(Finding { points, tried: ensemble.tried, max_residual: Some(worst), ..found }))
 }
 

@@ -211,7 +211,7 @@ impl<F: Modulus> Evaluation<F> {
     /// Cosine and sine of an angle, and their degree.
     pub fn point(&mut self, angle: Angle<F>, number: Modular<F>) -> (Point<F>, u32) {
         if angle.lost {
-            self.fault("a sine or cosine of a fraction of an angle that the field does not have");
+            self.fault("the sine or cosine of this fraction of an angle");
         }
         let (mut label, mut spread) = (angle.label, angle.spread);
         let mut denominator = angle.denominator;

@@ -90,7 +90,7 @@ pub(crate) fn check(square: &Expr, what: &str, place: &[Hypothesis], context: &C
     {
         found = where_stable(&link, found, context)?;
     }
-    let known = format!("this is the {what} of small oscillations: its square is K/M of the Lagrangian at this place");
+    let known = format!("this is the {what} of small oscillations: at this place the Lagrangian gives ω² = K/M");
     // A frequency exists where the place is stable, and is claimed there.
     if found.code == Code::DomainDiffers {
         let holds = context.verified(known, "a root that is not real where the place is not stable");
@@ -103,7 +103,12 @@ pub(crate) fn check(square: &Expr, what: &str, place: &[Hypothesis], context: &C
     }
     Ok(Some(match found.verdict {
         verdict if verdict.holds() => Finding { message: known, ..found },
-        Verdict::Refuted => Finding { message: format!("is not the {what} of small oscillations"), ..found },
+        Verdict::Refuted => Finding {
+            message: format!(
+                "this is not the {what} of small oscillations, of which the sides below are the squared frequencies"
+            ),
+            ..found
+        },
         _ => found,
     }))
 }
