@@ -350,3 +350,28 @@ fn a_frequency_is_tested_where_the_place_is_stable() {
     assert!(slip.counterexample.is_some_and(|shown| shown.rhs > 0.0));
     assert_eq!(outcome(&found(r"\Omega = \sqrt{\frac gR - \omega^2}")), Verified);
 }
+
+#[test]
+fn a_small_motion_is_tested_only_where_its_coordinate_has_inertia() {
+    let claims = json!({
+        "coordinates": { "r": "> 0", r"\theta": "angle" },
+        "constants": { "m, g, l, k": "> 0", r"\theta_0": "any" },
+        "means": { "L": "Lagrangian" },
+    });
+    let swing = |lagrangian: &str, claims: &Json, swing: &str| {
+        let notes =
+            format!("$$ {lagrangian} \\tag{{1}} $$\n\nFor small $\\theta$ the swing is\n\n$$ {swing} \\tag{{2}} $$\n");
+        let found = document(claims, &notes, &Registry::standard(), Some("2"));
+        outcome(&found.unwrap_or_else(|error| panic!("{error}")).equations.remove(0).finding)
+    };
+    let spring = r"L = \frac m2(\dot r^2 + r^2\dot\theta^2) - \frac k2 (r - l)^2 + m g r\cos\theta";
+    // At r = 0 the angle has no inertia, and any formula would pass.
+    assert_ne!(swing(spring, &claims, r"\theta(t) = \theta_0\cosh 7 t"), Verified);
+    let rigid = r"L = \frac m2 l^2\dot\theta^2 + m g l\cos\theta";
+    let claims = json!({
+        "coordinates": { r"\theta": "angle" }, "constants": { "m, g, l": "> 0", r"\theta_0": "any" },
+        "means": { "L": "Lagrangian" },
+    });
+    assert_eq!(swing(rigid, &claims, r"\theta(t) = \theta_0\cos(\sqrt{g/l}\,t)"), Verified);
+    assert_ne!(swing(rigid, &claims, r"\theta(t) = \theta_0\cos(\sqrt{2g/l}\,t)"), Verified);
+}
