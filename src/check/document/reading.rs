@@ -13,7 +13,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::formula::symbols::Name;
+use crate::formula::symbols::{Kind, Name};
 use crate::formula::{Expr, IndexId, Relation, Statement, SymbolId, Symbols};
 use crate::latex::{Reading, name_search, names, read_display};
 use crate::notes::Notes;
@@ -96,10 +96,9 @@ pub(crate) fn read_all(
             faults(reading).next().is_none() && !pending.introduces_pending(symbols, reading)
         });
         if let Some(waiting) = waiting.filter(|_| model.tie_components()) {
-            if !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), model)
-                && let Some((at, symbols, reading)) = unread.into_iter().nth(waiting)
-            {
-                readings[at] = Some(accept((symbols, reading), model));
+            let at = unread[waiting].0;
+            if !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), model) {
+                readings[at] = Some(accept(read(&texts[at], assigned[at], model), model));
             }
             pending.define_what_is_ready(model);
             continue;
@@ -239,7 +238,13 @@ impl Pending<'_> {
         }
         let found = read(text, claim, model);
         let whole = faults(&found.1).next().is_none();
-        let is_at_the_end = found.1.introduced.iter().any(|introduced| introduced.member > 0);
+        // The name of a vector or of a family at the end is no quantity that the prose gives.
+        let is_number = |id: SymbolId| {
+            let entry = found.0.entry(id);
+            entry.kind == Kind::Scalar && entry.slots.is_empty()
+        };
+        let is_at_the_end =
+            (found.1.introduced.iter()).any(|introduced| introduced.member > 0 && is_number(introduced.symbol));
         (whole && !is_at_the_end && !self.introduces_pending(&found.0, &found.1)).then(|| accept(found, model))
     }
 
