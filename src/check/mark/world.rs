@@ -280,6 +280,11 @@ impl<'p> World<'p> {
         single_letters::as_written(&renamed(latex, &Macros::default(), &self.back).text)
     }
 
+    /// Whether letters of the hand-in were taken for others.
+    pub fn has_other_letters(&self) -> bool {
+        !self.back.is_empty()
+    }
+
     /// Whether a name of the hand-in was taken for a rate.
     pub fn stands_for_a_rate(&self, name: &Name) -> bool {
         self.rates.contains(name)

@@ -48,9 +48,10 @@ impl Judge<'_, '_> {
 
     /// Whether a reading is right to the printed digits, with the numbers that the student gave to the quantities.
     pub(super) fn is_rounded(&self, display: usize, reading: &Reading) -> bool {
-        // A line without a printed number has no digits, unless the student gave numbers.
+        // With guessed letters a line without a printed number is true by chance, unless the student gave numbers.
         let mut members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
-        if !self.known.has_numbers() && !members.any(|member| member.symbols().is_empty() && !member.is_null()) {
+        let has_number = members.any(|member| member.symbols().is_empty() && !member.is_null());
+        if !self.known.has_numbers() && self.world.has_other_letters() && !has_number {
             return false;
         }
         let known = self.known_with_the_problem();
@@ -92,10 +93,6 @@ impl Judge<'_, '_> {
     /// What the problem prints, and what its claims file says that a name stands for.
     fn printed(&self) -> Known {
         let mut printed = Known::default();
-        for at in 0..self.world.problem.notes.equations.len() {
-            printed.add(&self.quiet.readings[at], false);
-        }
-        printed = printed.with_numbers_last();
         let model = self.quiet.model;
         for (id, entry) in model.symbols.iter() {
             if let Some(Meaning::Defined(formula)) = model.meaning(id)
@@ -104,7 +101,10 @@ impl Judge<'_, '_> {
                 printed.add_formula(id, formula.as_ref().clone());
             }
         }
-        printed
+        for at in 0..self.world.problem.notes.equations.len() {
+            printed.add(&self.quiet.readings[at], false);
+        }
+        printed.with_numbers_last()
     }
 }
 

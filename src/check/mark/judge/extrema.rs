@@ -4,6 +4,7 @@ use crate::formula::symbols::Name;
 use crate::formula::{Expr, Node, Statement, SymbolId};
 use crate::latex::Reading;
 
+use crate::check::mark::given;
 use crate::check::mark::marked::{Because, Line, Mark};
 use crate::check::mark::status::Status;
 use crate::check::mark::written::single_letters;
@@ -33,6 +34,13 @@ impl Judge<'_, '_> {
         if !self.details || !is_condition || statements().next().is_none() || !statements().all(equates) {
             return None;
         }
+        // A name of the student's own may hide the constant: `s = \omega^2`.
+        let of_problem = self.world.problem.notes.equations.len();
+        let mut reading = reading.clone();
+        for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
+            *member = given::expanded(self.quiet, of_problem, member.clone());
+        }
+        let statements = || reading.statements.iter().flatten();
         let model = self.quiet.model;
         let members = || statements().flat_map(|statement| &statement.members);
         let is_constant = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Constant(_))) && !self.is_own(id);
@@ -43,7 +51,7 @@ impl Judge<'_, '_> {
         constants.into_iter().find_map(|id| {
             let places = self.named_after(&model.symbols.entry(id).name);
             places.into_iter().find_map(|place| {
-                let new = with_value(reading, id, place);
+                let new = with_value(&reading, id, place);
                 let holds = matches!(self.status(self.world.first + at, &new).0, Status::Holds(_));
                 let name = |id| model.symbols.entry(id).name.clone();
                 holds.then(|| (new, Because::AtValue(name(id), name(place))))

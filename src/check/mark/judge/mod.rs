@@ -286,19 +286,16 @@ impl Judge<'_, '_> {
         for (at, context) in self.world.problem.contexts.iter().enumerate() {
             // While the motion stays at a place there is no deviation, and anything holds of it.
             let is_still = of_frequency.is_some() && !context.throughout.is_empty();
-            if is_still
-                || special::is_degenerate(&checker, context, reading)
-                || !self.is_granted(at, display, reading)
-                || !self.cases[at].is_empty()
-                    && self.under(&checker, display, reading, context) == supposed::Under::Anyway
-            {
+            if is_still || special::is_degenerate(&checker, context, reading) {
                 continue;
             }
             let loose = (!context.small.is_empty() || context.limit.is_some()).then(|| approximate(reading));
             let own = context.secular_for.is_some().then(|| self.of_the_frequency(reading));
-            if self.holds_under(&checker, display, own.as_ref().or(loose.as_ref()).unwrap_or(reading), context)
-                || self.along(&checker, display, reading, context) == Along::True
-            {
+            let holds =
+                self.holds_under(&checker, display, own.as_ref().or(loose.as_ref()).unwrap_or(reading), context)
+                    || self.along(&checker, display, reading, context) == Along::True;
+            let is_tested = || self.under(&checker, display, reading, context) != supposed::Under::Anyway;
+            if holds && (self.cases[at].is_empty() || self.is_granted(at, display, reading) && is_tested()) {
                 return (
                     Status::Holds(Verdict::Verified),
                     Some("follows from the problem, with its hypotheses".into()),
