@@ -24,7 +24,6 @@ pub(super) fn outcome(item: &Equation, finding: &Finding) -> String {
     match (finding.verdict, is_read(item, finding)) {
         // A second print that lacks something has nothing to read there.
         (Verdict::Unreadable, _) if finding.code == Code::LostInPrint => "is not printed in full".to_owned(),
-        (Verdict::Unreadable, _) if finding.code == Code::UnitMismatch => "has units that do not fit".to_owned(),
         (Verdict::Unreadable, true) => "was read, but cannot be checked".to_owned(),
         (Verdict::Unreadable, false) => "could not be read".to_owned(),
         (Verdict::Undecided, _) => "was not decided".to_owned(),
