@@ -64,7 +64,11 @@ impl Judge<'_, '_> {
     /// the case, or the line is the equation that the problem prints.
     pub(super) fn is_granted(&self, at: usize, display: usize, reading: &Reading) -> bool {
         let cases = &self.cases[at];
-        cases.iter().all(|case| self.says_the_case(display, case) || self.names_the_place(reading, case))
+        // The name of one of the values that coordinates keep is enough, if none of the coordinates is there.
+        let places: Vec<Option<bool>> = cases.iter().map(|case| self.names_the_place(reading, case)).collect();
+        let is_about_them = places.iter().all(Option::is_some) && places.contains(&Some(true));
+        is_about_them
+            || cases.iter().zip(&places).all(|(case, place)| *place == Some(true) || self.says_the_case(display, case))
             || self.is_printed_under(&self.world.problem.contexts[at], reading)
     }
 
@@ -121,20 +125,20 @@ impl Judge<'_, '_> {
         statement.members.len() == 2 && is_time(&statement.members[0]) && statement.members[1].is_null()
     }
 
-    /// Whether a hypothesis gives a coordinate, or a rate of one, a value that has a name, and a line has the name and not the
-    /// coordinate: `E = -\frac{k}{2 r_0}` is about the circle r = r_0.
-    fn names_the_place(&self, reading: &Reading, case: &Reading) -> bool {
-        let [Ok(statement)] = case.statements.as_slice() else { return false };
+    /// Whether a line has the name of the value that a hypothesis gives a coordinate, or a rate of one: `E = -\frac{k}{2 r_0}` is about
+    /// the circle r = r_0. `None`, if the hypothesis gives no such value, or the coordinate is in the line.
+    fn names_the_place(&self, reading: &Reading, case: &Reading) -> Option<bool> {
+        let [Ok(statement)] = case.statements.as_slice() else { return None };
         let [Expr { node: Node::Symbol { id: of, .. }, .. }, value] = statement.members.as_slice() else {
-            return false;
+            return None;
         };
-        let Some(place) = value.as_plain_symbol() else { return false };
+        let place = value.as_plain_symbol()?;
         let is_fixed = matches!(self.quiet.model.meaning(place), Some(Meaning::Constant(_) | Meaning::Defined(_)));
         let of_problem = self.world.problem.notes.equations.len();
         let members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
         let written_out = members.map(|member| given::expanded(self.quiet, of_problem, member.clone()));
         let symbols: Vec<_> = written_out.flat_map(|member| member.symbols()).map(|(id, _)| id).collect();
-        is_fixed && symbols.contains(&place) && !symbols.contains(of)
+        (is_fixed && !symbols.contains(of)).then(|| symbols.contains(&place))
     }
 
     /// Whether a line says what an equation says that the problem prints under these hypotheses, and no more.
