@@ -143,7 +143,7 @@ $$ E(r_1) = \frac{Q}{8 \pi \epsilon R^2} $$
 fn what_a_slip_in_another_definition_explains_is_not_called_wrong() {
     let notes = |sign: &str| {
         format!(
-            r"Throughout, $\beta = 1/(k T)$. The energy of two levels is
+            r"Let $\beta = 1/(k T)$. The energy of two levels is
 
 $$ U = \frac{{N \epsilon}}{{e^{{\beta \epsilon}} + 1}} $$
 
@@ -157,7 +157,7 @@ $$ S = N k \left[ \ln \left( 1 + e^{{-\beta \epsilon}} \right) + \frac{{\beta \e
 "
         )
     };
-    assert_eq!(verdicts("explained-right", &notes("-"))[2], "verified");
+    assert_eq!(verdicts("explained-right", &notes("-"))[2], "certified");
     assert_eq!(verdicts("explained", &notes(""))[2], "undecided");
 }
 
