@@ -26,6 +26,7 @@ mod integrands;
 mod laws;
 mod links;
 mod nearness;
+mod ordered;
 mod premises;
 mod prose;
 mod remarks;

@@ -231,7 +231,7 @@ impl Reader<'_> {
 
     fn derived_by(&mut self, by: &[(&Item, Variable)], mark: Mark, operand: Expr, span: Span) -> Read<Expr> {
         // Beside ∂ a derivative with d is by all that changes: it is no other name for ∂f/∂x.
-        let is_total = mark == Mark::Total && self.symbols.infers() && self.symbols.inferred.has_partials;
+        let is_total = mark == Mark::Total && self.symbols.inferred.has_partials;
         if !is_total && let Some(symbol) = self.named_derivative(&operand, by, span) {
             return Ok(symbol);
         }
@@ -246,14 +246,13 @@ impl Reader<'_> {
         }
         formula.span = span;
         // As a sum of one term it differs from its own text, because to carry out a derivative is a step.
-        let term = Term { sign: Sign::Plus, sign_span: None, expr: formula };
-        Ok(Expr::new(Node::Sum(vec![term]), span))
+        Ok(Expr::new(Node::Sum(vec![Term { sign: Sign::Plus, sign_span: None, expr: formula }]), span))
     }
 
     /// A derivative that is not formed, since nothing says what the letters depend on.
     fn unformed(&mut self, by: &Variable, mark: Mark, formula: Expr, span: Span) -> Expr {
-        let below = names::with_dots(&self.symbols.entry(by.id).name, by.dots);
-        let below = below.map_or_else(|| self.symbols.entry(by.id).name.to_string(), |name| name.to_string());
+        let name = &self.symbols.entry(by.id).name;
+        let below = names::with_dots(name, by.dots).unwrap_or_else(|| name.clone());
         let d = if mark == Mark::Partial { "\\partial " } else { "d" };
         self.operate(&format!("{d}/{d}{below}"), symbols::Operator::Same, vec![formula], span)
     }

@@ -5,7 +5,7 @@ use crate::check::document::inferred::open_energies::is_energy;
 use crate::check::model::meaning::Meaning;
 use crate::check::unaided::course::Course;
 use crate::check::unaided::gate;
-use crate::check::unaided::guess::ordered::Ordered;
+use crate::check::unaided::ordered::Ordered;
 use crate::check::usage::names_of;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;

@@ -23,8 +23,8 @@ use crate::check::model::Model;
 use crate::check::model::meaning::Variable;
 use crate::check::unaided::guess::lagrangian;
 use crate::check::unaided::guess::letters::{self, is_reserved, is_reserved_name};
-use crate::check::unaided::guess::ordered::{self, Ordered};
 use crate::check::unaided::guess::values::{self, Value as OneValue};
+use crate::check::unaided::ordered::{self, Ordered};
 use crate::check::usage::{Usage, names_of};
 
 /// How often the displays are read again with the names that were missing.

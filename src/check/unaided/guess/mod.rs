@@ -6,7 +6,6 @@
 //! | `values` | formulas that stand for one name |
 //! | `lagrangian` | which name is the Lagrangian |
 //! | `letters` | what h, i and hats mean |
-//! | `ordered` | vectors and matrices in plain letters |
 //! | `inference` | the claims file that is inferred |
 //! | `scopes` | where a letter gets another meaning |
 //! | `corrections` | what the author changed in the inferred file |
@@ -22,6 +21,5 @@ pub(super) mod draft;
 pub(super) mod inference;
 mod lagrangian;
 mod letters;
-pub(super) mod ordered;
 pub(super) mod scopes;
 mod values;
