@@ -39,7 +39,7 @@ fn points(name: &str, (notes, claims): (&str, &str), lines: &str) -> f64 {
 fn the_case_of_one_claim_is_granted_only_where_the_hand_in_says_so() {
     let of = |name: &str, lines: &str| marks(name, ROCKET, lines);
     let start = "\\dot v = \\frac{\\alpha u}{m_0} - g";
-    assert_eq!(of("said", &format!("At $t = 0$ it is ${start}$.\n")), ["given", "right"]);
+    assert_eq!(of("said", &format!("At $t = 0$ it is ${start}$.\n")), ["right", "right"]);
     assert_eq!(of("words", &format!("At the start ${start}$.\n")), ["right"]);
     assert_eq!(of("unsaid", &format!("$$ {start} $$\n")), ["undecided"]);
     // The twins: lines of which nothing is left at t = 0, and a false one there.
@@ -47,7 +47,7 @@ fn the_case_of_one_claim_is_granted_only_where_the_hand_in_says_so() {
                  $$ m \\dot v = \\alpha u - m g - 3 \\alpha v $$\n";
     assert_eq!(of("unsaid-false", lines), ["wrong", "wrong", "wrong"]);
     let said = of("said-false", &format!("At $t = 0$:\n\n{lines}"));
-    assert!(!said.contains(&"right".to_owned()), "{said:?}");
+    assert!(!said[1..].contains(&"right".to_owned()), "{said:?}");
     assert_eq!(of("words-false", "At the start $\\dot v = \\frac{2 \\alpha u}{m_0} - g$.\n"), ["wrong"]);
 }
 
@@ -55,7 +55,7 @@ fn the_case_of_one_claim_is_granted_only_where_the_hand_in_says_so() {
 fn a_line_with_the_name_of_a_place_is_about_the_place() {
     let of = |name: &str, lines: &str| marks(name, CIRCLE, lines);
     assert_eq!(of("place", "$$ E = -\\frac{k}{2 r_0} $$\n"), ["right"]);
-    assert_eq!(of("place-said", "On the circle $r = r_0$ and $E = -\\frac{k}{2 r}$.\n"), ["given", "right"]);
+    assert_eq!(of("place-said", "On the circle $r = r_0$ and $E = -\\frac{k}{2 r}$.\n"), ["right", "right"]);
     // The twins: another number, no place, and a deviation, which is 0 there.
     assert_eq!(of("place-false", "$$ E = -\\frac{k}{r_0} $$\n"), ["wrong"]);
     assert_ne!(of("place-unsaid", "$$ E = -\\frac{k}{2 r} $$\n"), ["right"]);

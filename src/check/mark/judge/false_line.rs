@@ -288,6 +288,13 @@ impl Judge<'_, '_> {
             let because = format!("holds only where {case}, and no line says that it is about this case");
             return Ok((Mark::Open, Some(Verdict::Undecided), because));
         }
+        if self.details
+            && !self.world.problem.special.has_modes_at_places()
+            && let Some(place) = self.deviation_from(&trusting, display, reading)
+        {
+            let because = format!("is about a small deviation from {place}, on which the problem says nothing");
+            return Ok((Mark::Open, Some(Verdict::Undecided), because));
+        }
         let missing = if self.details { self.missing_values(display, reading) } else { Vec::new() };
         if !missing.is_empty() {
             let because = format!("is a number, and no line gives the value of {}", missing.join(", "));

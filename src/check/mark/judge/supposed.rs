@@ -84,6 +84,31 @@ impl Judge<'_, '_> {
         Some(self.world.in_own_letters(&text.value))
     }
 
+    /// A place of the problem, if a line is an equation of a deviation from there, `\eta = r - r_0`: the hypothesis makes both sides 0, and
+    /// nothing decides on the line.
+    pub(super) fn deviation_from(&self, checker: &Checker<'_>, display: usize, reading: &Reading) -> Option<String> {
+        let of_problem = self.world.problem.notes.equations.len();
+        let own = &self.quiet.readings[display];
+        let members = || own.statements.iter().flatten().flat_map(|statement| &statement.members);
+        let (deviation, _) = members().flat_map(Expr::symbols).find(|(id, dots)| *dots == 2 && self.is_own(*id))?;
+        let value = self.with_known(self.quiet.readings[display].clone());
+        let model = self.quiet.model;
+        let (of, place) = self.world.problem.special.kept().find(|(of, place)| {
+            let id = |name| model.symbols.find(name).map(|(id, _)| id);
+            let written_out = value.statements.iter().flatten().flat_map(|statement| &statement.members);
+            let symbols: Vec<_> = written_out
+                .map(|member| given::expanded(self.quiet, of_problem, member.clone()))
+                .flat_map(|member| member.symbols())
+                .map(|(id, _)| Some(id))
+                .collect();
+            !symbols.contains(&Some(deviation)) && symbols.contains(&id(of)) && symbols.contains(&id(place))
+        })?;
+        let said = Spanned::new(format!("{of} = {place}"), Span::default());
+        let claim = Claim { throughout: vec![said], ..Claim::default() };
+        (self.under(checker, display, reading, &claim) == Under::Anyway)
+            .then(|| self.world.in_own_letters(&place.to_string()))
+    }
+
     /// What a line is under hypotheses.
     pub(super) fn under(&self, checker: &Checker<'_>, display: usize, reading: &Reading, claim: &Claim) -> Under {
         let holds = |reading: &Reading| {
@@ -97,7 +122,7 @@ impl Judge<'_, '_> {
         }
     }
 
-    /// Whether the words before a line, a line before it or the one behind it say a hypothesis.
+    /// Whether the words before a line, the line, one before it or the one behind it say a hypothesis.
     fn says_the_case(&self, display: usize, case: &Reading) -> bool {
         let at = display - self.world.first;
         let statements = || case.statements.iter().flatten();
@@ -106,7 +131,7 @@ impl Judge<'_, '_> {
         }
         let may_say = |other: &usize| {
             let is_false = |mark: Mark| matches!(mark, Mark::Wrong | Mark::Carried | Mark::Unread);
-            *other != at && self.lines.get(*other).is_none_or(|line| !is_false(line.mark))
+            self.lines.get(*other).is_none_or(|line| !is_false(line.mark))
         };
         let lines = (0..self.world.written.len().min(at + 2)).filter(may_say);
         let readings: Vec<&Reading> = lines.map(|other| &self.quiet.readings[self.world.first + other]).collect();
