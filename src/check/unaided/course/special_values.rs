@@ -32,6 +32,9 @@ pub(super) struct Special {
     pub says: String,
 }
 
+/// Whether a formula agrees with what the words say.
+pub(super) type Agrees<'a> = &'a dyn Fn(&Expr) -> Result<bool>;
+
 impl Course<'_, '_> {
     /// The finding on a display that gives the value of a quantity at a place, if the words state one.
     pub(super) fn special_value(&self, at: usize, found: &Equation) -> Result<Option<Equation>> {
@@ -60,7 +63,7 @@ impl Course<'_, '_> {
         at: usize,
         found: &Equation,
         formula: &Expr,
-        (says, agrees): (&str, &dyn Fn(&Expr) -> Result<bool>),
+        (says, agrees): (&str, Agrees<'_>),
     ) -> Result<Option<Equation>> {
         let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
         if parts(formula) < FEWEST {

@@ -16,7 +16,7 @@ use crate::notes::Notes;
 
 /// A letter whose products depend on their order.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::check::unaided) struct Ordered {
+pub(crate) struct Ordered {
     /// The letter.
     pub name: Name,
     /// How it is declared, as a `3x1 matrix`; `None`, if a display gives it.
@@ -26,7 +26,7 @@ pub(in crate::check::unaided) struct Ordered {
 }
 
 /// The letters of notes whose products depend on their order.
-pub(in crate::check::unaided) fn letters(notes: &Notes, macros: &Macros) -> Vec<Ordered> {
+pub(crate) fn letters(notes: &Notes, macros: &Macros) -> Vec<Ordered> {
     let read = |text: &str| typeset_items(text, macros).unwrap_or_default();
     let displays: Vec<Vec<Item>> = notes.equations.iter().map(|display| read(&display.text)).collect();
     let mut found = vectors::letters(notes, &displays);
