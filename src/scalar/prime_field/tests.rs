@@ -143,7 +143,7 @@ differences! {
 fn what_a_field_cannot_decide_is_said() {
     for (refused, why) in [
         (decide::<FirstPrime>(&Arc, 1), "an inverse function"),
-        (decide::<FirstPrime>(&Third, 1), "a sine or cosine of a fraction of an angle that the field does not have"),
+        (decide::<FirstPrime>(&Third, 1), "the sine or cosine of this fraction of an angle"),
         (decide::<FirstPrime>(&Order, 1), "an absolute value, or which of two numbers is larger"),
         (decide::<FirstPrime>(&Magnitude, 1), "an absolute value, or which of two numbers is larger"),
         (decide::<FirstPrime>(&Huge, 1), "coefficients too large"),

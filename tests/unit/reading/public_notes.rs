@@ -294,7 +294,7 @@ fn errors_of_measurement_and_variations_are_no_factors() {
         "r_c^\\gamma = a",
     ]);
     are_read(&[
-        ("x = 3 \\pm \\sqrt 2", "x = 3 + √(2) or x = 3 − √(2)"),
+        ("x = 3 \\pm \\sqrt 2", "x = 3 + √(2) ¦ x = 3 − √(2)"),
         ("\\partial_t u = ru(1-u)", "∂u/∂t = r·u·(1 − u)"),
         ("\\begin{aligned}\\text{Mode 0} &: P = a \\\\ \\text{Mode 1} &: P = b\\end{aligned}", "P = a ¦ P = b"),
     ]);
