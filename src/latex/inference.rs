@@ -307,11 +307,8 @@ impl Evidence {
         let is_signal = name.base == "e"
             && is_side
             && matches!(arguments.as_slice(), [only] if self.plain(only) == self.time.as_ref().map(ToString::to_string));
-        if never.contains(&name.base.as_str())
-            && !is_signal
-            && !is_list
-            && !(is_distribution && delimiter == Delimiter::Round)
-        {
+        let may_be = is_signal || is_list || is_distribution && delimiter == Delimiter::Round;
+        if never.contains(&name.base.as_str()) && !may_be {
             return;
         }
         let plain: Option<Vec<String>> = arguments.iter().map(|argument| self.plain(argument)).collect();

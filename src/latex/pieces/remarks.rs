@@ -54,7 +54,7 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
     }
     // `10^5\text{ Dynes}`, `\frac{9H}{100}\ \text{g}`: a unit directly after a number, and after a fraction.
     let is_beside = at > 0 && items[at - 1].layout != Layout::Space(Space::Wide);
-    let before = items[..at].iter().rev().find(|item| is_significant(item));
+    let before = items[..at].iter().rev().find(is_significant);
     let is_fraction = before.is_some_and(|item| matches!(item.layout, Layout::Fraction(..)));
     if is_beside && (number && names_a_unit(&word) || is_fraction && is_unit(&word)) {
         return false;
