@@ -181,3 +181,13 @@ fn what_the_author_changes_in_the_written_file_holds_in_every_part() {
         assert!(!["certified", "verified"].contains(&found[place].as_str()), "{place}: {report}");
     }
 }
+
+#[test]
+fn rows_that_are_read_as_one_name_are_not_wrong() {
+    let notes = "Outside\n\n$$ \\varphi(x) = 0, \\quad |x| > a $$\n\nTherefore\n\n\
+        $$ \\varphi(x) = \\left\\{ \\begin{array}{ll} A \\sin k(x + a), & x < 0 \\\\ 0, & x > a \\end{array} \\right. $$\n";
+    let desk = Desk::new("unaided-rows");
+    desk.write("notes.md", notes);
+    let (found, report) = verdicts_at(&desk);
+    assert!(!found.contains(&"refuted".to_owned()), "{report}");
+}

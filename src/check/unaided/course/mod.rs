@@ -268,6 +268,10 @@ impl Course<'_, '_> {
             }
             return Ok(settled);
         }
+        // Rows that were read as one name say nothing that could be compared.
+        if found.finding.verdict == Verdict::Refuted && self.has_unread_rows(at) {
+            return Ok(gate::as_it_counts(found));
+        }
         let may_follow = found.finding.verdict == Verdict::Refuted || found.finding.code == Code::NoMotion;
         let Some(symbols) = self.symbols(at).filter(|_| may_follow) else {
             return Ok(self.root(at)?.unwrap_or_else(|| gate::as_it_counts(found)));
@@ -319,6 +323,13 @@ impl Course<'_, '_> {
             Some(name) => gate::introduces(found, &name),
             None => gate::as_it_counts(found),
         })
+    }
+
+    /// Whether an environment in a display was read as one name: `\begin{array}{ll} … \end{array}` behind a brace.
+    fn has_unread_rows(&self, at: usize) -> bool {
+        let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        let mut names = members.flat_map(Expr::symbols);
+        names.any(|(id, _)| self.checker.model.symbols.entry(id).name.base.contains("\\begin{"))
     }
 
     /// Notes the names that a display defines, if it relates what an earlier relation does and does not follow from it.
