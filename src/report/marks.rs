@@ -87,7 +87,9 @@ pub fn hint(marked: &Marked, line: &Line, hints: Hints) -> String {
 pub fn correction(marked: &Marked, line: &Line) -> Option<(String, String)> {
     let slip = line.slip.as_ref()?;
     let replacement = slip.replacement.as_ref()?;
-    Some((marked.source.slice(slip.span).trim().to_owned(), replacement.trim().to_owned()))
+    // A thin space parts the factor from what follows it, and is no part of the correction.
+    let should = replacement.trim().trim_end_matches("\\,").trim();
+    Some((marked.source.slice(slip.span).trim().to_owned(), should.to_owned()))
 }
 
 /// The rows of a class, as texts under [`COLUMNS`].
