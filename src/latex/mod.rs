@@ -8,6 +8,7 @@
 //! | [`layout`] | tokens to groups, fences, fractions, scripts, rows; cannot fail |
 //! | `overdots` | `\dot x` and its kin: the order of a time derivative |
 //! | [`names`] | which name a typeset item is |
+//! | `groups` | digits in threes, delimiters in braces |
 //! | `inference`, `arguments` | what a display without declarations shows about its letters; the parentheses after them |
 //! | `primed_names` | which primes mark another quantity |
 //! | [`reader`] | layout to a formula; the rules of reading are in its documentation |
@@ -30,6 +31,7 @@ pub mod definitions;
 pub mod foreign;
 #[cfg(feature = "notes")]
 mod groups;
+#[cfg(feature = "notes")]
 mod inference;
 pub mod layout;
 pub mod lexer;
