@@ -149,3 +149,12 @@ pub fn marks(name: &str, (notes, claims): (&str, &str), lines: &str) -> Vec<Stri
     let rows = report["rows"].as_array().unwrap().iter().filter(|row| !row["line"].is_null());
     rows.map(|row| row["mark"].as_str().unwrap().to_owned()).collect()
 }
+
+/// The verdicts on the displays of a page without a claims file.
+pub fn verdicts(name: &str, notes: &str) -> Vec<String> {
+    let desk = Desk::new(name);
+    desk.write("notes.md", notes);
+    let report = desk.onshell(&["check", "notes.md", "--format", "json"]).json();
+    let equations = report["documents"][0]["equations"].as_array().expect("a list");
+    equations.iter().map(|equation| equation["verdict"].as_str().expect("a verdict").to_owned()).collect()
+}

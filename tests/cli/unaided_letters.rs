@@ -1,17 +1,10 @@
 //! Notes without a claims file: what letters and remarks mean.
 
-use serde_json::Value;
-
-use crate::support::Desk;
+use crate::support::{self, Desk};
 
 /// The verdict of each display of notes.
 fn verdicts(name: &str, notes: &str) -> Vec<String> {
-    let desk = Desk::new(&format!("letters-{name}"));
-    desk.write("notes.md", notes);
-    let run = desk.onshell(&["check", "notes.md", "--format", "json"]);
-    let report: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}{}", run.out, run.err));
-    let equations = report["documents"][0]["equations"].as_array().expect("a list");
-    equations.iter().map(|found| found["verdict"].as_str().unwrap_or_default().to_owned()).collect()
+    support::verdicts(&format!("letters-{name}"), notes)
 }
 
 const BEAM: &str = r"The field is $u\, e^{i k z}$ with

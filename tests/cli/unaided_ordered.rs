@@ -1,14 +1,10 @@
 //! Notes without a claims file in which plain letters are vectors or matrices, and energies that have no formula.
 
-use crate::support::Desk;
+use crate::support;
 
 /// The verdict on each display of a page.
 fn verdicts(name: &str, page: &str) -> Vec<String> {
-    let desk = Desk::new(&format!("unaided-ordered-{name}"));
-    desk.write("notes.md", page);
-    let report = desk.onshell(&["check", "notes.md", "--format", "json"]).json();
-    let equations = report["documents"][0]["equations"].as_array().expect("a list");
-    equations.iter().map(|equation| equation["verdict"].as_str().expect("a verdict").to_owned()).collect()
+    support::verdicts(&format!("unaided-ordered-{name}"), page)
 }
 
 /// The verdict on the last display of a page.

@@ -1,17 +1,10 @@
 //! Notes without a claims file: the places where a quantity is largest, its values at places, and dimensions.
 
-use serde_json::Value;
-
-use crate::support::Desk;
+use crate::support;
 
 /// The verdict of each display of notes.
 fn verdicts(name: &str, notes: &str) -> Vec<String> {
-    let desk = Desk::new(&format!("places-{name}"));
-    desk.write("notes.md", notes);
-    let run = desk.onshell(&["check", "notes.md", "--format", "json"]);
-    let report: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}{}", run.out, run.err));
-    let equations = report["documents"][0]["equations"].as_array().expect("a list");
-    equations.iter().map(|found| found["verdict"].as_str().unwrap_or_default().to_owned()).collect()
+    support::verdicts(&format!("places-{name}"), notes)
 }
 
 const RESONANCE: &str = r"The amplitude is

@@ -3,16 +3,11 @@
 
 use serde_json::Value;
 
-use crate::support::Desk;
+use crate::support::{self, Desk};
 
 /// The verdicts on the displays of a page.
 fn verdicts(name: &str, notes: &str) -> Vec<String> {
-    let desk = Desk::new(&format!("premises-{name}"));
-    desk.write("notes.md", notes);
-    let run = desk.onshell(&["check", "notes.md", "--format", "json"]);
-    let report: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}{}", run.out, run.err));
-    let equations = report["documents"][0]["equations"].as_array().expect("a list");
-    equations.iter().map(|equation| equation["verdict"].as_str().unwrap_or_default().to_owned()).collect()
+    support::verdicts(&format!("premises-{name}"), notes)
 }
 
 #[test]

@@ -1,18 +1,11 @@
 //! Notes without a claims file that say in words what a display is: the sum of what stands before, or a consequence in the case that the
 //! sentence states. Each page is true as printed; with one edit a display is wrong.
 
-use serde_json::Value;
-
-use crate::support::Desk;
+use crate::support;
 
 /// The verdicts on the displays of a page.
 fn verdicts(name: &str, notes: &str) -> Vec<String> {
-    let desk = Desk::new(&format!("unaided-restated-{name}"));
-    desk.write("notes.md", notes);
-    let run = desk.onshell(&["check", "notes.md", "--format", "json"]);
-    let report: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}{}", run.out, run.err));
-    let equations = report["documents"][0]["equations"].as_array().expect("a list").clone();
-    equations.iter().map(|equation| equation["verdict"].as_str().expect("a verdict").to_owned()).collect()
+    support::verdicts(&format!("unaided-restated-{name}"), notes)
 }
 
 /// Pages that are true, and an edit that makes the last display wrong.

@@ -1,18 +1,11 @@
 //! Notes without a claims file whose sentences say what the next display is: a formula for its name, or what the argument of a function
 //! is. And what speaks for a premise that a display contradicts. Each page is true as printed; with one edit a display is wrong.
 
-use serde_json::Value;
-
-use crate::support::Desk;
+use crate::support;
 
 /// The verdicts on the displays of a page.
 fn verdicts(name: &str, notes: &str) -> Vec<String> {
-    let desk = Desk::new(&format!("unaided-told-{name}"));
-    desk.write("notes.md", notes);
-    let run = desk.onshell(&["check", "notes.md", "--format", "json"]);
-    let report: Value = serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}{}", run.out, run.err));
-    let equations = report["documents"][0]["equations"].as_array().expect("a list").clone();
-    equations.iter().map(|equation| equation["verdict"].as_str().expect("a verdict").to_owned()).collect()
+    support::verdicts(&format!("unaided-told-{name}"), notes)
 }
 
 /// Pages that are true, and an edit that makes the last display wrong.

@@ -187,18 +187,32 @@ pub(super) fn letters_and_spaces(items: &[Item]) -> String {
     items.iter().map(one).collect::<Option<String>>().unwrap_or_default()
 }
 
-/// Whether braces set nothing: around nothing, a parenthesis, `\theta{\left(t \right)}`, a fraction, `{\frac{d}{dt}}(mv)`, or a sign,
-/// `a{\times}b`.
+/// Whether braces set nothing: around nothing, a parenthesis, `\theta{\left(t \right)}`, a derivative without what it acts on,
+/// `{\frac{d}{dt}}(mv)`, or a sign, `a{\times}b`. Around another fraction they end an argument: `\sin{\frac{x}{2}} y`.
 pub(super) fn prints_alone(items: &[Item]) -> bool {
     const SIGNS: [&str; 8] = ["\\times", "\\cdot", "\\pm", "\\mp", "\\approx", "\\equiv", "\\leq", "\\geq"];
     match items {
         [] => true,
         [Item { layout, .. }] => match layout {
-            Layout::Fence(Delimiter::Round, _) | Layout::Fraction(..) => true,
+            Layout::Fence(Delimiter::Round, _) => true,
+            Layout::Fraction(above, _) => is_mark_of_a_derivative(above),
             Layout::Other(c) => "=<>".contains(*c),
             Layout::Command(name) => SIGNS.contains(&name.as_str()),
             _ => false,
         },
         _ => false,
     }
+}
+
+/// Whether a d or ∂ is all that stands above the line of a fraction, with its order perhaps: `d^n`.
+fn is_mark_of_a_derivative(above: &Item) -> bool {
+    let only = match &above.layout {
+        Layout::Group(items) => match items.as_slice() {
+            [only] => only,
+            _ => return false,
+        },
+        _ => above,
+    };
+    let mark = if let Layout::Scripts { nucleus, sub: None, primes: 0, .. } = &only.layout { nucleus } else { only };
+    mark.layout == Layout::Letter('d') || is_derivative_mark(mark)
 }

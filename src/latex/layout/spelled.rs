@@ -159,21 +159,22 @@ fn begins_argument(token: &Token) -> bool {
     }
 }
 
-/// Names of several letters that are products nowhere: energies, and numbers without a unit.
-const NAMES: [&str; 22] = [
-    "KE", "PE", "GPE", "EPE", "Re", "Nu", "Fr", "Gr", "Ra", "Pr", "Bi", "Sh", "Ma", "COP", "NTU", "SNR", "RMS", "EMF",
-    "MSE", "RMSE", "LHV", "HHV",
-];
+/// Names of several letters that are products nowhere: energies, errors, heating values. `F = Ma`, `\tau = Fr` and `BIL = mg` are
+/// products.
+const NAMES: [&str; 16] =
+    ["KE", "PE", "GPE", "EPE", "COP", "NTU", "SNR", "RMS", "EMF", "MSE", "RMSE", "LHV", "HHV", "LCV", "HCV", "ESS"];
 
-/// The same tokens, where such letters are one upright name, if they are a term of their own anywhere: `Re = \rho v D/\mu`.
+/// Numbers without a unit, which are names where one of them is a whole left side: `Re = \rho v D/\mu`.
+const NUMBERS: [&str; 2] = ["Re", "Nu"];
+
+/// The same tokens, where such letters are one upright name, if they are a term of their own anywhere.
 pub(super) fn with_names(tokens: Vec<Token>) -> Vec<Token> {
     let spots: Vec<(usize, String)> = (0..tokens.len()).filter_map(|at| Some((at, name_at(&tokens, at)?))).collect();
-    // Nobody writes a product of three capitals as a left side; beside such a name other runs of capitals are names too.
-    let has_short_form =
-        spots.iter().any(|(at, name)| !NAMES.contains(&name.as_str()) && is_left_side(&tokens, *at, name.len()));
-    let is_sure = |name: &String| {
-        let is_one = |(at, other): &(usize, String)| other == name && is_term(&tokens, *at, name.len());
-        (NAMES.contains(&name.as_str()) || has_short_form) && spots.iter().any(is_one)
+    let has_number =
+        spots.iter().any(|(at, name)| NUMBERS.contains(&name.as_str()) && is_left_side(&tokens, *at, name.len()));
+    let is_sure = |name: &String| match NUMBERS.contains(&name.as_str()) {
+        true => has_number,
+        false => spots.iter().any(|(at, other)| other == name && is_term(&tokens, *at, name.len())),
     };
     let mut found = tokens.clone();
     for (at, name) in spots.iter().rev().filter(|(_, name)| is_sure(name)) {
@@ -197,8 +198,7 @@ fn name_at(tokens: &[Token], at: usize) -> Option<String> {
     });
     let length = if is_inside { 0 } else { run(&tokens[at..]) };
     let word: String = tokens[at..at + length].iter().filter_map(letter).collect();
-    let is_short_form = word.len() > 2 && word.chars().all(|c| c.is_ascii_uppercase());
-    (is_short_form || NAMES.contains(&word.as_str())).then_some(word)
+    (NAMES.contains(&word.as_str()) || NUMBERS.contains(&word.as_str())).then_some(word)
 }
 
 /// Whether a run is the first side of an equation: at the beginning, or of a row.

@@ -399,10 +399,13 @@ fn is_equation_number(item: &Item) -> bool {
         return word.contains(|c: char| c.is_ascii_digit());
     }
     let has_number = inside.iter().any(|item| matches!(item.layout, Layout::Number(_)));
+    let is_number = |at: usize| matches!(inside[at].layout, Layout::Number(_));
+    // The letter of `(1a)` touches its number; `(1 - x)` is no number of an equation.
     let is_part = |(at, item): (usize, &Item)| match &item.layout {
         Layout::Number(_) => true,
         Layout::Other('-' | '–' | '.') => at > 0 && at + 1 < inside.len(),
-        Layout::Letter(letter) => at == 0 && letter.is_ascii_uppercase() || at > 0 && at + 1 == inside.len(),
+        Layout::Letter(letter) if at == 0 => letter.is_ascii_uppercase(),
+        Layout::Letter(_) => at + 1 == inside.len() && is_number(at - 1),
         _ => false,
     };
     has_number && inside.iter().enumerate().all(is_part)

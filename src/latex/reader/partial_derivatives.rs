@@ -231,7 +231,7 @@ impl Reader<'_> {
 
     fn derived_by(&mut self, by: &[(&Item, Variable)], mark: Mark, operand: Expr, span: Span) -> Read<Expr> {
         // Beside ∂ a derivative with d is by all that changes: it is no other name for ∂f/∂x.
-        let is_total = mark == Mark::Total && self.symbols.inferred.has_partials;
+        let is_total = mark == Mark::Total && self.symbols.infers() && self.symbols.inferred.has_partials;
         if !is_total && let Some(symbol) = self.named_derivative(&operand, by, span) {
             return Ok(symbol);
         }

@@ -206,6 +206,8 @@ fn words_conditions_and_numbers_of_equations_are_no_statements() {
     for number in ["(7-47)", "(2.3-1)", "(A-1)", "[12]", "(1a)", "(15)"] {
         are_read(&[(&format!("a = b \\qquad {number}"), "a = b")]);
     }
+    let found = statements_of("a = b \\qquad (1 - x)");
+    assert!(found.is_none_or(|found| found.contains('x')));
     are_refused(&["a = b \\quad\\xrightarrow{c = f}\\quad a = f", "a = b \\; (15)", "A \\overset{k}{\\rightarrow} B"]);
 }
 
@@ -269,6 +271,14 @@ fn names_of_energies_and_numbers_are_one_name() {
         ("a{\\times}b{=}c", "a × b = c"),
     ]);
     are_refused(&["E = Re v", "a = 2KE x"]);
+    // products of letters that are no such names
+    are_read(&[
+        ("F = Ma", "F = M·a"),
+        ("BIL = mg", "B·I·L = m·g"),
+        ("PVT = a", "P·V·T = a"),
+        ("x = \\sin{\\frac{x}{2}} y", "x = sin(x/2)·y"),
+        ("y = 2{\\frac12} x", "y = 2·(1/2)·x"),
+    ]);
 }
 
 #[test]

@@ -132,15 +132,15 @@ pub(in crate::check::mark) fn written(notes: &Notes, macros: &Macros) -> Vec<Wri
                 text: read[of.range()].to_owned(),
                 continues: (statement.from.is_some() && start < found.len()).then_some(start),
                 inline: display.is_none(),
-                is_supposed: is_supposed(text, display.map_or(body.start, |display| display.span.start)),
+                is_supposed: says_any(text, display.map_or(body.start, |display| display.span.start), &SUPPOSED),
                 is_tried: is_tried(text, display.map_or(body.start, |display| display.span.start)),
                 is_if: is_if(text, display.map_or(body.start, |display| display.span.start)),
                 is_example: is_example(text, display.map_or(body.start, |display| display.span.start)),
                 is_alternative: found.last().is_some_and(|before: &Written| {
                     text.get(before.span.end..span.start).is_some_and(foreign::says_or)
                 }),
-                is_at_start: is_at_start(text, display.map_or(body.start, |display| display.span.start)),
-                is_extremum: is_extremum(text, display.map_or(body.start, |display| display.span.start)),
+                is_at_start: says_any(text, display.map_or(body.start, |display| display.span.start), &START),
+                is_extremum: says_any(text, display.map_or(body.start, |display| display.span.start), &EXTREMUM),
                 is_after_extremum: {
                     let before = text[..span.start].to_lowercase();
                     EXTREMUM.iter().any(|word| before.contains(word))
@@ -206,12 +206,6 @@ fn is_tried(text: &str, at: usize) -> bool {
     words.any(|word| TRIED.contains(&word) || TRIED_STEMS.iter().any(|stem| word.starts_with(stem)))
 }
 
-/// Whether the clause before a place says that what follows is a condition.
-fn is_supposed(text: &str, at: usize) -> bool {
-    let clause = clause_before(text, at);
-    SUPPOSED.iter().any(|word| clause.contains(word))
-}
-
 /// Words for the start of a motion, in some languages.
 const START: [&str; 14] = [
     "at the start",
@@ -229,12 +223,6 @@ const START: [&str; 14] = [
     "all'inizio",
     "na początku",
 ];
-
-/// Whether the clause before a place says that what follows is about the start of the motion.
-fn is_at_start(text: &str, at: usize) -> bool {
-    let clause = clause_before(text, at);
-    START.iter().any(|words| clause.contains(words))
-}
 
 /// Words for an extremum, and beginnings of such words, in some languages.
 const EXTREMUM: [&str; 18] = [
@@ -258,10 +246,10 @@ const EXTREMUM: [&str; 18] = [
     "najmniejsz",
 ];
 
-/// Whether the clause before a place says that something is largest or smallest there.
-fn is_extremum(text: &str, at: usize) -> bool {
+/// Whether the clause before a place contains one of some words.
+fn says_any(text: &str, at: usize, words: &[&str]) -> bool {
     let clause = clause_before(text, at);
-    EXTREMUM.iter().any(|word| clause.contains(word))
+    words.iter().any(|word| clause.contains(word))
 }
 
 /// The clause before a place, in small letters.

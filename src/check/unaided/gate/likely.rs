@@ -218,9 +218,9 @@ impl Correction<'_> {
         let pairs = self.statements().flat_map(|statement| statement.members.windows(2));
         let mut claims = pairs.filter(is_edited).filter(is_claim).peekable();
         // A derivative that is written out says more than its value, which is what was read.
-        let is_printed = prints_derivative(self.printed, &model.macros);
+        let has_derivative = prints_derivative(self.printed, &model.macros);
         let is_differentiated = |pair: &[Expr]| {
-            is_printed && pair.iter().map(|side| occurrences(side, model)).sum::<usize>() >= FEWEST_SYMBOLS
+            has_derivative && pair.iter().map(|side| occurrences(side, model)).sum::<usize>() >= FEWEST_SYMBOLS
         };
         // So does an integral.
         let is_integrated = |pair: &[Expr]| {
