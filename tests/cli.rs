@@ -93,6 +93,8 @@ mod unaided_premises;
 mod unaided_readings;
 #[path = "cli/unaided_restated.rs"]
 mod unaided_restated;
+#[path = "cli/unaided_rows.rs"]
+mod unaided_rows;
 #[path = "cli/unaided_sentences.rs"]
 mod unaided_sentences;
 #[path = "cli/unaided_series.rs"]

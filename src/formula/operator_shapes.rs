@@ -6,6 +6,7 @@ use super::ids::SymbolId;
 use super::numbers::complex::Complex;
 use super::shape::{Binder, Shape, Type, components, union};
 use super::symbols::{Kind, Operator};
+use super::text::formula;
 use super::tree::{Branch, ComplexPart, Definite, Expr, Function, IndexId, Node, Sign, Term};
 
 impl Binder<'_> {
@@ -34,14 +35,17 @@ impl Binder<'_> {
     /// The type of a sum: its terms have one shape and the same free indices.
     pub(super) fn sum(&mut self, terms: &mut [Term]) -> Result<Type, Fault> {
         let mut first: Option<Type> = None;
-        for term in terms {
+        for at in 0..terms.len() {
+            let (before, rest) = terms.split_at_mut(at);
+            let term = &mut rest[0];
             let found = self.bind(&mut term.expr)?;
             match &first {
                 _ if term.expr.is_zero() => {}
                 None => first = Some(found),
                 Some(first) if of_sum(first.shape, found.shape).is_none() => {
-                    let (a, b) = (found.shape.noun(), first.shape.noun());
-                    return Err(Fault::shape(term.expr.span, format!("{a} cannot be added to {b}")));
+                    let known = before.iter().map(|term| &term.expr).find(|expr| !expr.is_zero());
+                    let sides = [Some((&term.expr, found.shape)), known.map(|known| (known, first.shape))];
+                    return Err(self.no_sum(sides.into_iter().flatten()));
                 }
                 Some(first) if components(&first.free, self.symbols) != components(&found.free, self.symbols) => {
                     return Err(Fault::index(
@@ -58,6 +62,35 @@ impl Binder<'_> {
         Ok(first.unwrap_or(Type { shape: Shape::Scalar, free: Vec::new() }))
     }
 
+    /// Why two terms have no sum, and which of their names are taken for numbers.
+    fn no_sum<'t>(&self, terms: impl Iterator<Item = (&'t Expr, Shape)>) -> Fault {
+        let terms: Vec<(&Expr, Shape)> = terms.collect();
+        let said = |(expr, shape): &(&Expr, Shape)| format!("“{}” is {}", formula(expr, self.symbols), shape.noun());
+        let what: Vec<String> = terms.iter().map(said).collect();
+        let span = terms.first().map_or(Span::default(), |(expr, _)| expr.span);
+        let fault = Fault::shape(span, format!("{}, and they cannot be added", what.join(", ")));
+        let mut numbers: Vec<&str> = Vec::new();
+        for (expr, _) in &terms {
+            expr.walk(&mut |part| {
+                if let Node::Symbol { id, .. } = part.node
+                    && matches!(self.symbol_shape(id, 0, span), Ok(Shape::Scalar))
+                    && !numbers.contains(&self.symbols.entry(id).name.base.as_str())
+                {
+                    numbers.push(&self.symbols.entry(id).name.base);
+                }
+            });
+        }
+        let (are, kind) = if numbers.len() == 1 { ("is", "a number") } else { ("are", "numbers") };
+        match numbers.is_empty() {
+            true => fault.help("write the same shape in each term"),
+            false => fault.help(format!(
+                "here {} {are} taken for {kind}; declare what is a matrix or a column under \"constants\" or \
+                 \"varies with time\", such as \"4x1 matrix\"",
+                numbers.join(" and ")
+            )),
+        }
+    }
+
     /// The shape of a product, and the letters of all its factors.
     pub(super) fn product(&mut self, factors: &mut [Expr]) -> Result<(Shape, Vec<IndexId>), Fault> {
         let mut shape = Shape::Scalar;
@@ -69,8 +102,14 @@ impl Binder<'_> {
                 if has_complex {
                     return self.no_complex(factor.span);
                 }
-                Fault::shape(factor.span, format!("{} cannot be multiplied by {}", shape.noun(), found.shape.noun()))
-                    .help("multiply two vectors with \\cdot or \\times")
+                let message = format!("{} cannot be multiplied by {}", shape.noun(), found.shape.noun());
+                match (shape, found.shape) {
+                    (Shape::Vector, Shape::Vector) => {
+                        Fault::shape(factor.span, message).help("multiply two vectors with \\cdot or \\times")
+                    }
+                    _ => Fault::shape(factor.span, message)
+                        .help("the columns of the first must be as many as the rows of the second"),
+                }
             })?;
             letters.extend(found.free);
         }

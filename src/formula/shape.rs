@@ -166,7 +166,12 @@ impl Binder<'_> {
     /// The free labels of what must be a scalar without other free indices.
     pub(super) fn scalar_labels(&self, found: Type, span: Span, what: &str) -> Result<Vec<IndexId>, Fault> {
         if found.shape != Shape::Scalar && !self.symbols.is_abstract() {
-            return Err(Fault::shape(span, format!("{what} must be a scalar, but this is {}", found.shape.noun())));
+            let fault = Fault::shape(span, format!("{what} must be a scalar, but this is {}", found.shape.noun()));
+            return Err(match found.shape {
+                Shape::Complex => Fault { message: format!("{what} must be a real number, but this is complex"), ..fault }
+                    .help("write an equation for the real part and one for the imaginary part"),
+                _ => fault,
+            });
         }
         if found.free.iter().any(|letter| !self.is_label(*letter)) {
             return Err(Fault::index(span, format!("{what} has a free index")));

@@ -459,6 +459,11 @@ impl Symbols {
     pub fn nearest(&self, name: &Name) -> Option<String> {
         let names: Vec<String> =
             self.entries.iter().filter(|entry| !entry.is_composed()).map(|entry| entry.name.to_string()).collect();
-        suggest::nearest(&name.to_string(), names.iter().map(String::as_str)).map(str::to_owned)
+        let wanted = name.to_string();
+        // `\phi` and `\varphi` are two names, and easily taken for one.
+        let plain = |text: &str| text.replace("\\var", "\\");
+        let other_form = names.iter().find(|known| **known != wanted && plain(known) == plain(&wanted));
+        let nearest = || suggest::nearest(&wanted, names.iter().map(String::as_str));
+        other_form.map(String::as_str).or_else(nearest).map(str::to_owned)
     }
 }

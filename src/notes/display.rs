@@ -29,6 +29,8 @@ pub struct Display {
     pub labels: Vec<Numbered>,
     /// The numbers that LaTeX prints beside its rows by itself, where nothing else numbers them.
     pub automatic: Vec<String>,
+    /// Whether each of its rows may have a number of its own, as in `align`: a number or a label in it is that of its row.
+    pub numbers_rows: bool,
     /// The line in which the display starts, from 1.
     pub line: usize,
 }

@@ -79,8 +79,9 @@ struct Work<'a> {
 impl Work<'_> {
     /// The pieces of one display: one, or the row groups of an `align` with several numbers.
     fn pieces(&mut self, raw: RawDisplay, next: usize, pieces: &mut Vec<Piece>) -> Result<(), Fault> {
-        let rows = self.rows(raw);
+        // First, since the row ends before a text between rows.
         let (tags, labels) = self.tags(raw.body);
+        let rows = self.rows(raw);
         let carries = |row: &Span| tags.iter().chain(&labels).any(|n| row.contains(n.span));
         if let Some(rows) = rows.filter(|_| tags.len() + labels.len() > 1)
             && rows.iter().filter(|row| carries(row)).take(2).count() == 2
@@ -194,6 +195,10 @@ impl Work<'_> {
                             _ => {}
                         }
                         blank(&mut self.clean, [&Span::new(i, close)]);
+                        if command.ends_with("intertext") {
+                            // LaTeX ends the row before the text, with or without a `\\` there.
+                            self.clean[i..i + 2].copy_from_slice(b"\\\\");
+                        }
                         end = close;
                     }
                 }
@@ -426,13 +431,14 @@ impl Work<'_> {
         rows::mark_blank_lines(&mut self.clean, self.source, body);
         let text = String::from_utf8_lossy(&self.clean[body.range()]).into_owned();
         let number = group.iter().find_map(|piece| piece.number.clone());
+        let numbers_rows = matches!(group.as_slice(), [only] if only.raw.delimiter == Delimiter::Rows && !only.closes);
         let labels: Vec<Numbered> = group.into_iter().flat_map(|piece| piece.labels).collect();
         // What held only definitions is no equation.
         if text.trim().is_empty() && number.is_none() && labels.is_empty() {
             return None;
         }
         let line = lines.line(self.file, span.start);
-        Some(Display { span, body, parts, text, number, labels, automatic: Vec::new(), line })
+        Some(Display { span, body, parts, text, number, labels, automatic: Vec::new(), numbers_rows, line })
     }
 }
 

@@ -14,6 +14,7 @@ use crate::check::document::checker::Checker;
 use crate::check::document::inferred::prose;
 use crate::check::document::names::shown;
 use crate::check::hypotheses::rule::Rule;
+use crate::check::judge::term_fit;
 use crate::check::kinds::definitions::Approximations;
 use crate::check::kinds::limit;
 use crate::check::kinds::series::{self, Read};
@@ -26,6 +27,16 @@ use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
+
+/// What came of an equation in small motion.
+pub(crate) enum FirstOrder {
+    /// Nothing says that the motion is small.
+    NotMeant,
+    /// It holds, or it could not be decided.
+    Judged(Finding),
+    /// It is false to first order about these places.
+    Fails(String),
+}
 
 impl Checker<'_> {
     /// The finding on two members with ≈ between them. `place` is that of the sign, and `from` that of the left member, in
@@ -68,7 +79,7 @@ impl Checker<'_> {
 
     /// The finding on an equation that was refuted and holds to first order in all coordinates about a place, where the claim or the
     /// words before the display say so: a linearised equation is often printed with =. Where small motion cannot be tried, it is not
-    /// decided.
+    /// decided. What fails to first order too says so, and terms that would make it exact are not sought.
     ///
     /// # Errors
     /// When the system's mass matrix is singular.
@@ -79,24 +90,34 @@ impl Checker<'_> {
         claim: &Claim,
         context: &Context<'_>,
     ) -> Result<Finding> {
-        match found.verdict {
-            Verdict::Refuted => Ok(self.to_first_order(link, claim, context)?.unwrap_or(found)),
-            _ => Ok(found),
+        if found.verdict != Verdict::Refuted {
+            return Ok(found);
         }
+        Ok(match self.to_first_order(link, claim, context)? {
+            FirstOrder::NotMeant => term_fit::fitted(link, context, found),
+            FirstOrder::Judged(judged) => judged,
+            FirstOrder::Fails(places) => {
+                let message = format!("{}, also to first order about {places}", found.message);
+                Finding { message, difference: None, ..found }
+            }
+        })
     }
 
-    /// The finding on an equation to first order in all coordinates about a place; `None`, where nothing says that the motion is
-    /// small, and where the equation is false to first order.
+    /// Whether an equation holds to first order in all coordinates about a place.
     ///
     /// # Errors
     /// When the system's mass matrix is singular.
-    pub(crate) fn to_first_order(&self, link: &Link, claim: &Claim, context: &Context<'_>) -> Result<Option<Finding>> {
+    pub(crate) fn to_first_order(&self, link: &Link, claim: &Claim, context: &Context<'_>) -> Result<FirstOrder> {
         // A claim that says what is small is about ≈, and = says more.
-        if !claim.small.is_empty() || self.options.deduction || self.model.system.is_none() {
-            return Ok(None);
+        if !claim.small.is_empty() || self.model.system.is_none() {
+            return Ok(FirstOrder::NotMeant);
         }
-        let Some(said) = self.says_small(claim, context.span) else { return Ok(None) };
-        let open = |message: &str| Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message.to_owned())));
+        let Some(said) = self.says_small(claim, context.span) else { return Ok(FirstOrder::NotMeant) };
+        let open = |message: &str| match self.options.deduction {
+            // Without a claims file, what is not decided is taken for granted.
+            true => Ok(FirstOrder::NotMeant),
+            false => Ok(FirstOrder::Judged(context.finding(Code::NotDecided, Verdict::Undecided, message.to_owned()))),
+        };
         let Some(places) = self.places_of(&said) else {
             return open("this does not hold exactly, and it was not tried to first order about this place");
         };
@@ -105,13 +126,13 @@ impl Checker<'_> {
         match small::of_motion(&close, &small, &rates, context) {
             Ok(linear) if linear.verdict.holds() => {
                 let message = format!("about {}, this {}", self.shown(&places), linear.message);
-                Ok(Some(Finding { message, ..linear }))
+                Ok(FirstOrder::Judged(Finding { message, ..linear }))
             }
             // A place with a letter is one of rest, or of a steady motion, under a condition that the claim need not contain.
             Ok(linear)
                 if linear.code != Code::TooFewStates && places.iter().all(|(_, value)| value.symbols().is_empty()) =>
             {
-                Ok(None)
+                Ok(FirstOrder::Fails(self.shown(&places)))
             }
             _ => open(&format!(
                 "this does not hold exactly, and it could not be tried for small motion about {}",
@@ -135,7 +156,7 @@ impl Checker<'_> {
     /// The ways in which a claim, or the words before its display, say that a motion about a place is small: the coordinates are, or
     /// their rates too.
     pub(crate) fn small_motion_of(&self, claim: &Claim, span: Span) -> Option<Vec<Vec<Expr>>> {
-        let is_possible = claim.small.is_empty() && !self.options.deduction && self.model.system.is_some();
+        let is_possible = claim.small.is_empty() && self.model.system.is_some();
         let said = self.says_small(claim, span).filter(|_| is_possible)?;
         let (small, rates) = self.small_motion(&said, &self.places_of(&said)?);
         let both = small.iter().chain(&rates).cloned().collect();
@@ -313,7 +334,8 @@ impl<'d, 'a> ApproximateUses<'d, 'a> {
             let families = small::screen(model, context.mode(true, &[&link.lhs, &link.rhs]), &ways, &context)?;
             return Ok(!small::misses_order(link, 1, &families));
         }
-        Ok(checker.to_first_order(link, claim, &context)?.is_some_and(|found| found.verdict.passes()))
+        let found = checker.to_first_order(link, claim, &context)?;
+        Ok(matches!(found, FirstOrder::Judged(found) if found.verdict.passes()))
     }
 
     /// Whether a use holds with the definitions as printed.

@@ -17,7 +17,7 @@ use crate::check::equations::chain_certificates;
 use crate::check::equations::merge::{expected, merged, worst};
 use crate::check::equations::whole::{contains, is_inequality, with_dropped};
 use crate::check::hypotheses::rule::{Action, Rule};
-use crate::check::judge::{identity, term_fit};
+use crate::check::judge::identity;
 use crate::check::kinds::mechanics::modes;
 use crate::check::kinds::{conserved, exactly_when};
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
@@ -444,8 +444,7 @@ impl Checker<'_> {
             // A fit of single terms needs one equation: not two by ±, and none with dropped terms.
             _ if statement.branch.is_none() && claim.dropping.is_none() => {
                 let found = self.along_the_motion(link, identity::check(link, context)?, context)?;
-                let found = self.in_first_order(link, found, claim, context)?;
-                term_fit::fitted(link, context, found)
+                self.in_first_order(link, found, claim, context)?
             }
             _ => identity::check(link, context)?,
         };

@@ -76,6 +76,7 @@ fn appended(latex: &str, id: &str, line: usize, text: &mut String) -> Display {
         number: Some(Numbered { id: id.to_owned(), span: body }),
         labels: Vec::new(),
         automatic: Vec::new(),
+        numbers_rows: false,
         line,
     }
 }

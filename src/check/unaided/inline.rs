@@ -219,6 +219,7 @@ fn formula(notes: &Notes, span: Span) -> Option<Display> {
         number: None,
         labels: Vec::new(),
         automatic: Vec::new(),
+        numbers_rows: false,
         line,
     })
 }

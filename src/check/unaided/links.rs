@@ -98,6 +98,7 @@ fn alone(display: &Display, statement: &Statement, link: usize) -> Option<Displa
         number: Some(Numbered { id, span: body }),
         labels: Vec::new(),
         automatic: Vec::new(),
+        numbers_rows: false,
         ..display.clone()
     })
 }

@@ -326,14 +326,19 @@ fn with_ids(notes: &Notes) -> Notes {
 }
 
 /// The statements of a display as displays: each row of one without a number has a verdict of its own, and so has what stands
-/// on either side of an arrow. The last of them has the number.
+/// on either side of an arrow. The last of them has the number; in `align`, the row in which it is printed.
 fn statements_of(display: &Display, notes: &Notes, macros: &Macros) -> Vec<Display> {
     let spans = match display.parts.len() {
-        0 | 1 => lines::apart(&display.text, macros, display.id().is_some()),
+        0 | 1 => lines::apart(&display.text, macros, display.id().is_some() && !display.numbers_rows),
         _ => None,
     };
     let Some(spans) = spans else { return vec![display.clone()] };
     let last = spans.len() - 1;
+    let is_of = |numbered: &Numbered, at: usize| {
+        let starts = |span: &Span| span.start + display.body.start <= numbered.span.start;
+        let row = if display.numbers_rows { spans.iter().rposition(starts).unwrap_or(0) } else { last };
+        row == at
+    };
     let one = |(at, span): (usize, &Span)| {
         // An arrow at the beginning is a word about the first statement.
         let has_arrow = at == 0 && lines::implication(&display.text).is_some();
@@ -349,8 +354,8 @@ fn statements_of(display: &Display, notes: &Notes, macros: &Macros) -> Vec<Displ
             body,
             parts: vec![body],
             text: display.text[span.start..span.end].to_owned(),
-            number: display.number.clone().filter(|_| at == last),
-            labels: display.labels.iter().filter(|_| at == last).cloned().collect(),
+            number: display.number.clone().filter(|number| is_of(number, at)),
+            labels: display.labels.iter().filter(|label| is_of(label, at)).cloned().collect(),
             automatic: display
                 .automatic
                 .get(at)
@@ -358,6 +363,7 @@ fn statements_of(display: &Display, notes: &Notes, macros: &Macros) -> Vec<Displ
                 .cloned()
                 .into_iter()
                 .collect(),
+            numbers_rows: false,
             line,
         }
     };

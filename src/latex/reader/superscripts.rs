@@ -99,7 +99,7 @@ impl Reader<'_> {
         if self.is_abstract() && (is_power.is_err() || no_power || is_index) {
             return match self.marked(&base, sup, span)? {
                 Some(found) => Ok(found),
-                None => is_power.and_then(|()| Err(mark(sup.span))),
+                None => is_power.and_then(|()| Err(self.mark(&base, sup))),
             };
         }
         is_power?;
@@ -157,12 +157,12 @@ impl Reader<'_> {
                 ]
                 .contains(&name.as_str()) =>
             {
-                return Err(mark(sup.span));
+                return Err(self.mark(base, sup));
             }
-            [Item { layout: Layout::Other('*' | '+' | '-' | '°' | '†'), .. }] => return Err(mark(sup.span)),
+            [Item { layout: Layout::Other('*' | '+' | '-' | '°' | '†'), .. }] => return Err(self.mark(base, sup)),
             // `2^{(n-1)}`, `(a + b)^{(n-1)}`: neither has a mark.
             [Item { layout: Layout::Fence(Delimiter::Round, _), .. }] if is_value(base) => return Ok(()),
-            [Item { layout: Layout::Fence(delimiter, _), .. }] if !is_bar(*delimiter) => return Err(mark(sup.span)),
+            [Item { layout: Layout::Fence(delimiter, _), .. }] if !is_bar(*delimiter) => return Err(self.mark(base, sup)),
             [Item { layout: Layout::Text(_), .. }] => return Err(label(sup.span)),
             // `v^{\hat r}` is the component along a direction.
             [Item { layout: Layout::Accent(accent, _), .. }] if self.symbols.open && accent == "\\hat" => {
@@ -174,14 +174,14 @@ impl Reader<'_> {
                 return Err(label(sup.span));
             }
             // `c^{s\dagger}`, `H^{\dagger(i)}`
-            [_, _, ..] if marks.iter().any(|item| is_dagger(item)) => return Err(mark(sup.span)),
+            [_, _, ..] if marks.iter().any(|item| is_dagger(item)) => return Err(self.mark(base, sup)),
             // `U^{\mathrm{dis}(k)}`
             [Item { layout: Layout::Style(style, inner), .. }, _, ..]
                 if style == "\\mathrm" && contents(inner).len() > 1 && !self.is_declared(marks[0]) =>
             {
                 return Err(label(sup.span));
             }
-            [_, .., Item { layout: Layout::Other('†' | '*'), .. }] => return Err(mark(sup.span)),
+            [_, .., Item { layout: Layout::Other('†' | '*'), .. }] => return Err(self.mark(base, sup)),
             _ => {}
         }
         // `\Gamma^{r_t}_{\theta_t\theta_t}`; but `p_i^{n_i}` is a power for each i.
@@ -254,6 +254,24 @@ impl Reader<'_> {
         let has_indices = matches!(subscript, [first, second] if is_index(first) && is_index(second));
         let matrix = Name::plain(format!("\\mathbf{{{letter}}}"));
         has_indices && is_minus_one(sup) && self.symbols.infers() && self.symbols.find(&matrix).is_some()
+    }
+
+    /// A superscript that is no power: what it may be, and what can be written in its place.
+    fn mark(&self, base: &Expr, sup: &Item) -> Fault {
+        let above = typed(contents(sup));
+        let has_sign = contents(sup).iter().any(|item| matches!(item.layout, Layout::Other('+' | '-')));
+        let (name, _) = self.name_of(base);
+        let name = if name.is_empty() { "x" } else { name };
+        let (message, help) = if matches!(base.node, Node::Number(_)) && has_sign {
+            ("a limit from one side is not supported".to_owned(), format!("leave ^{above} out where both limits are equal"))
+        } else if contents(sup).iter().any(is_dagger) {
+            let message = format!("the superscript {above} needs a matrix or a complex number");
+            (message, format!("declare {name} as one, such as \"2x2 matrix\" or \"complex\", under \"constants\""))
+        } else {
+            let message = format!("the superscript {above} is no power, and a mark above a symbol is not supported");
+            (message, format!("write it below, such as {name}_{{{above}}}; write a power as {name}^2 or {name}^n"))
+        };
+        Fault::unsupported(sup.span, message).help(help)
     }
 
     /// Whether an item is a declared name.
@@ -333,13 +351,9 @@ fn unclear(span: Span, sup: &Item, meanings: &str) -> Fault {
     Fault::ambiguous(span, format!("the superscript {} may be {meanings}", typed(contents(sup))))
 }
 
-fn mark(span: Span) -> Fault {
-    Fault::unsupported(span, "this superscript is not a power, and is not supported")
-        .help("write it as a subscript, such as x_+")
-}
 
 fn label(span: Span) -> Fault {
-    Fault::unsupported(span, "a word above a symbol is not supported").help("write it as a subscript")
+    Fault::unsupported(span, "a word above a symbol is not supported").help("write it below, such as x_{\\text{ext}}")
 }
 
 /// The letter that an item is.

@@ -357,5 +357,10 @@ fn without_formulas(notes: &Notes, from: usize, to: usize) -> String {
     for other in notes.inline.iter().filter(|other| other.start >= from && other.end <= to) {
         words.replace_range(other.start - from..other.end - from, &" ".repeat(other.end - other.start));
     }
+    // The name of a command, as in `\intertext{For small angles}`, is no word of the author.
+    for (at, _) in words.clone().match_indices('\\') {
+        let name = words[at + 1..].bytes().take_while(u8::is_ascii_alphabetic).count();
+        words.replace_range(at..at + 1 + name, &" ".repeat(1 + name));
+    }
     words
 }

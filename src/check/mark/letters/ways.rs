@@ -191,6 +191,7 @@ fn all_usages(notes: &Notes, lines: &[Written], macros: &Macros) -> Vec<Usage> {
             number: None,
             labels: Vec::new(),
             automatic: Vec::new(),
+            numbers_rows: false,
             line: notes.source.line_column(line.body.start).0,
         })
         .collect();

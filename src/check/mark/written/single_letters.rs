@@ -178,6 +178,7 @@ fn as_display(line: &Written) -> Display {
         number: None,
         labels: Vec::new(),
         automatic: Vec::new(),
+        numbers_rows: false,
         line: line.line,
     }
 }
