@@ -1,6 +1,9 @@
 //! What stands in a parenthesis after a name, as far as it says whether the name is a function.
 
-use super::layout::{Delimiter, Item, Layout};
+use crate::formula::symbols::Name;
+use crate::formula::units;
+
+use super::layout::{Delimiter, Item, Layout, latex};
 use super::names;
 use super::reader::items::{contents, differential, whole_number};
 
@@ -10,6 +13,36 @@ pub(super) fn is_dimension(sup: &Item) -> bool {
         [Item { layout: Layout::Fence(Delimiter::Round, inside), .. }] => inside.len() == 1,
         _ => matches!(whole_number(sup), Some(3 | 4)),
     }
+}
+
+/// The name of the distribution `\delta^3(r - r')`, as `\delta^{(3)}` is written: the number is that of the dimensions.
+pub(super) fn distribution(found: &names::Printed<'_>, next: Option<&Item>) -> Option<Name> {
+    let is_delta = found.name == Name::plain("\\delta") && found.dots == 0;
+    let is_called = matches!(next.and_then(fence), Some((Delimiter::Round, _)));
+    let number = found.sup.filter(|sup| is_dimension(sup)).and_then(whole_number)?;
+    (is_delta && is_called).then(|| Name::plain(format!("\\delta^{{({number})}}")))
+}
+
+/// Whether an upright unit stands in square brackets, `[\mathrm{keV}]`: it is that of the name before it.
+pub(super) fn is_unit_in_brackets(item: &Item) -> bool {
+    let Layout::Fence(Delimiter::Square, inside) = &item.layout else { return false };
+    let [only] = inside.as_slice() else { return false };
+    match &only.layout {
+        Layout::Unit(_) => true,
+        Layout::Text(word) => units::parse(word).is_ok(),
+        Layout::Style(style, inner) if style == "\\mathrm" => units::parse(&latex(contents(inner))).is_ok(),
+        _ => false,
+    }
+}
+
+/// Whether a dagger stands in a parenthesis: operators are factors, and no arguments.
+pub(super) fn has_dagger<'i>(inside: impl IntoIterator<Item = &'i Item>) -> bool {
+    inside.into_iter().any(|item| match &item.layout {
+        Layout::Command(name) => name == "\\dagger",
+        Layout::Scripts { nucleus, sup, .. } => has_dagger([&**nucleus]) || has_dagger(sup.as_deref()),
+        Layout::Group(items) | Layout::Fence(_, items) => has_dagger(items),
+        _ => false,
+    })
 }
 
 /// Whether a fraction is a derivative: d or ∂ begins both of its parts.

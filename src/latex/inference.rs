@@ -17,7 +17,8 @@ use crate::formula::symbols::{Inferred, Name, Symbols};
 use crate::formula::text;
 
 use super::arguments::{
-    fence, is_comma, is_dimension, is_given, is_letter, is_step, is_zero, item_has_comma, starts_derivative, trimmed,
+    distribution, fence, has_dagger, is_comma, is_dimension, is_given, is_letter, is_step, is_unit_in_brackets,
+    is_zero, item_has_comma, starts_derivative, trimmed,
 };
 use super::layout::{Delimiter, Item, Layout};
 use super::names;
@@ -274,7 +275,10 @@ impl Evidence {
 
     /// A name, and what follows it at once.
     fn application(&mut self, item: &Item, next: Option<&Item>, is_side: bool) {
-        let Some(found) = names::printed(item, None) else { return };
+        let Some(mut found) = names::printed(item, None) else { return };
+        if let Some(name) = distribution(&found, next) {
+            found = names::Printed { name, dots: 0, sup: None };
+        }
         let primes = found.name.primes;
         let name = Name { primes: 0, ..found.name };
         // Two primes on a vector name another one as often.
@@ -282,7 +286,7 @@ impl Evidence {
         if primes > 1 && !is_vector && !self.primed.contains(&name) {
             self.primed.push(name.clone());
         }
-        let Some((delimiter, inside)) = next.and_then(fence) else { return };
+        let Some((delimiter, inside)) = next.filter(|next| !is_unit_in_brackets(next)).and_then(fence) else { return };
         let is_usual = ["f", "G", "u", "\\psi", "\\Psi", "\\Omega"].contains(&name.base.as_str());
         // `V_m(1 - t)`: what has an index is a value there, and no function of a number.
         let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
@@ -292,6 +296,10 @@ impl Evidence {
             let inside =
                 inside.iter().filter_map(|item| names::printed(item, None)).map(|found| found.name.to_string());
             self.possible.push((name.clone(), is_usual, inside.collect()));
+        }
+        // `\Gamma(a^\dagger b + b^\dagger a)`
+        if has_dagger(inside) {
+            return;
         }
         // `\mathbf{x}^T (A) \mathbf{x}` is a product.
         if found.sup.is_some_and(is_transpose) {

@@ -19,6 +19,7 @@ use super::names;
 use super::pieces::{Piece, Printed, pieces, without_ranges};
 use super::reader::Reader;
 use super::reader::algebra::evidence;
+use super::reader::items::{contents, parts};
 use super::reader::structure::{note_levels, note_possible_indices};
 use super::reader::undeclared::note_marks;
 
@@ -140,9 +141,29 @@ fn has_branch(item: &&Item) -> bool {
     inside(item)
 }
 
+/// The place of the sign of `[A, B]_\pm`.
+fn sign_below_brackets(item: &Item) -> Option<Span> {
+    let is_sign = |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\pm" || name == "\\mp");
+    match &item.layout {
+        Layout::Scripts { nucleus, sub: Some(sub), .. }
+            if matches!(nucleus.layout, Layout::Fence(..)) && contents(sub).iter().all(is_sign) =>
+        {
+            Some(sub.span)
+        }
+        _ => parts(item).into_iter().flatten().find_map(sign_below_brackets),
+    }
+}
+
 impl Piece<'_> {
     /// The statement, and the symbols that it defines with the position of their members.
     fn read(&self, symbols: &mut Symbols, branch: Option<Sign>) -> Result<(Statement, Vec<(usize, New)>), Fault> {
+        if branch.is_some()
+            && let Some(sign) =
+                self.links.iter().flat_map(|link| &link.items).find_map(|item| sign_below_brackets(item))
+        {
+            return Err(Fault::unsupported(sign, "± or ∓ below brackets is not supported")
+                .help("write the commutator, [A, B], or the anticommutator, \\{A, B\\}"));
+        }
         let span = self.span();
         if let Some(fault) = &self.fault {
             return Err(fault.clone());
@@ -222,6 +243,8 @@ impl Piece<'_> {
             let read = Reader::new(symbols, branch).condition(&items, span).and_then(|stated| stated.all(span));
             match read {
                 Ok(found) => conditions.extend(found),
+                // What cannot be printed is not left out.
+                Err(fault) if items.iter().any(has_fault) => return Err(fault),
                 Err(_) if symbols.is_abstract() => {
                     conditions.push(Reader::new(symbols, branch).unread_condition(&items, span))
                 }
@@ -230,6 +253,11 @@ impl Piece<'_> {
         }
         Ok(conditions)
     }
+}
+
+/// Whether a fault of the layout stands anywhere in an item.
+fn has_fault(item: &Item) -> bool {
+    matches!(item.layout, Layout::Fault(_)) || parts(item).into_iter().flatten().any(has_fault)
 }
 
 /// A member with its type; one that is left out where only the structure is read.

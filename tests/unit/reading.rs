@@ -31,6 +31,8 @@ mod public_notes;
 mod quantities;
 #[path = "reading/roles.rs"]
 mod roles;
+#[path = "reading/scopes.rs"]
+mod scopes;
 #[path = "reading/structure.rs"]
 mod structure;
 

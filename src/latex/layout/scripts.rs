@@ -88,7 +88,10 @@ impl Parser<'_> {
                     let TokenKind::Other(c) = sign.kind else { continue };
                     Item { layout: Layout::Other(c), span: sign.span }
                 }
-                _ => self.argument(token.span),
+                _ => match self.bars() {
+                    Some(parallel) => parallel,
+                    None => self.argument(token.span),
+                },
             }));
         }
         if let Some(problem) = problem {
@@ -112,6 +115,19 @@ impl Parser<'_> {
         }
         let span = nucleus.span.to(Span::at(self.previous_end()));
         Item { layout: Layout::Scripts { nucleus: Box::new(nucleus), sub, sup, primes }, span }
+    }
+
+    /// The two bars of `v_\|` or `v_{\|}`, which say "parallel" and open no norm.
+    fn bars(&mut self) -> Option<Item> {
+        let is_braced = self.peek().is_some_and(|token| token.kind == TokenKind::Open);
+        let bars = self.tokens.get(self.at + usize::from(is_braced))?;
+        let is_it = matches!(&bars.kind, TokenKind::Command(name) if name == "\\|" || name == "\\Vert");
+        let is_closed = !is_braced || self.tokens.get(self.at + 2)?.kind == TokenKind::Close;
+        let span = bars.span;
+        (is_it && is_closed).then(|| {
+            self.at += if is_braced { 3 } else { 1 };
+            Item { layout: Layout::Command("\\parallel".to_owned()), span }
+        })
     }
 
     /// Whether `\underset{x}{\min}` follows, up to its operator.

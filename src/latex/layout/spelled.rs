@@ -16,6 +16,19 @@ pub(super) fn with_commands(tokens: Vec<Token>) -> Vec<Token> {
     let mut found: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while at < tokens.len() {
+        // `\mathrm{sin(x)}` is `\sin(x)`.
+        if let Some((name, open, end)) = upright_function(&tokens[at..]) {
+            found.push(Token { kind: TokenKind::Command(format!("\\{name}")), span: tokens[at].span });
+            found.extend_from_slice(&tokens[at + open..at + end]);
+            at += end + 1;
+            continue;
+        }
+        // `{\rm tanh(x)}`
+        if let Some((name, open)) = switched_function(&tokens[at..]) {
+            found.push(Token { kind: TokenKind::Command(format!("\\{name}")), span: tokens[at].span });
+            at += open;
+            continue;
+        }
         // Words are no formulas.
         if let Some(end) = end_of_words(&tokens[at..]) {
             found.extend_from_slice(&tokens[at..at + end]);
@@ -106,6 +119,34 @@ fn end_of_words(tokens: &[Token]) -> Option<usize> {
     None
 }
 
+/// The function that begins an upright group and stands there before a parenthesis, with the place of the parenthesis and that of the
+/// closing brace.
+fn upright_function(tokens: &[Token]) -> Option<(&'static str, usize, usize)> {
+    let TokenKind::Command(style) = &tokens.first()?.kind else { return None };
+    if style != "\\mathrm" || tokens.get(1)?.kind != TokenKind::Open {
+        return None;
+    }
+    let (name, open) = function_before_a_parenthesis(&tokens[2..])?;
+    let end = end_of_words(tokens)?.checked_sub(1)?;
+    Some((name, 2 + open, end))
+}
+
+/// The function behind the switch to upright letters, with the place of its parenthesis.
+fn switched_function(tokens: &[Token]) -> Option<(&'static str, usize)> {
+    let TokenKind::Command(style) = &tokens.first()?.kind else { return None };
+    let start = 1 + tokens[1..].iter().take_while(|token| matches!(token.kind, TokenKind::Space(_))).count();
+    let (name, open) = function_before_a_parenthesis(tokens.get(start..)?).filter(|_| style == "\\rm")?;
+    Some((name, start + open))
+}
+
+/// The function that letters spell directly before a parenthesis, with the place of that.
+fn function_before_a_parenthesis(tokens: &[Token]) -> Option<(&'static str, usize)> {
+    let length = run(tokens);
+    let word: String = tokens[..length].iter().filter_map(letter).collect();
+    let name = FUNCTIONS.into_iter().find(|name| *name == word)?;
+    matches!(tokens.get(length)?.kind, TokenKind::Other('(' | '[')).then_some((name, length))
+}
+
 /// The number of letters side by side at the beginning.
 fn run(tokens: &[Token]) -> usize {
     let is_letter = |token: &Token| matches!(token.kind, TokenKind::Letter(_));
@@ -161,11 +202,14 @@ fn begins_argument(token: &Token) -> bool {
 
 /// Names of several letters that are products nowhere: energies, errors, heating values. `F = Ma`, `\tau = Fr` and `BIL = mg` are
 /// products.
-const NAMES: [&str; 16] =
-    ["KE", "PE", "GPE", "EPE", "COP", "NTU", "SNR", "RMS", "EMF", "MSE", "RMSE", "LHV", "HHV", "LCV", "HCV", "ESS"];
+const NAMES: [&str; 40] = [
+    "KE", "PE", "GPE", "EPE", "COP", "NTU", "SNR", "RMS", "EMF", "MSE", "RMSE", "LHV", "HHV", "LCV", "HCV", "ESS",
+    "GBW", "GBP", "BER", "RPM", "PSF", "MTF", "OTF", "BMI", "FOM", "SPL", "PSD", "PRF", "SAR", "VSWR", "MTBF", "LCOE",
+    "RCS", "THD", "SINR", "SFDR", "FWHM", "EIRP", "ENBW", "DOF",
+];
 
 /// Numbers without a unit, which are names where one of them is a whole left side: `Re = \rho v D/\mu`.
-const NUMBERS: [&str; 2] = ["Re", "Nu"];
+const NUMBERS: [&str; 5] = ["Re", "Nu", "NA", "QE", "RH"];
 
 /// The same tokens, where such letters are one upright name, if they are a term of their own anywhere.
 pub(super) fn with_names(tokens: Vec<Token>) -> Vec<Token> {
@@ -192,8 +236,13 @@ fn name_at(tokens: &[Token], at: usize) -> Option<String> {
     let touches = |before: usize| tokens[before].span.end == tokens[at].span.start;
     let is_inside = at.checked_sub(1).is_some_and(|before| match tokens[before].kind {
         TokenKind::Letter(_) => touches(before),
-        // In braces it may be the argument of a command or a script.
-        TokenKind::Sub | TokenKind::Super | TokenKind::Open | TokenKind::Command(_) => true,
+        // In braces it may be the argument of a command or a script; in a fraction or a root it is a formula.
+        TokenKind::Open => !before.checked_sub(1).is_some_and(|outer| match &tokens[outer].kind {
+            TokenKind::Command(name) => ["\\frac", "\\dfrac", "\\tfrac", "\\sqrt"].contains(&name.as_str()),
+            TokenKind::Close => true,
+            _ => false,
+        }),
+        TokenKind::Sub | TokenKind::Super | TokenKind::Command(_) => true,
         _ => false,
     });
     let length = if is_inside { 0 } else { run(&tokens[at..]) };
@@ -212,8 +261,8 @@ fn is_left_side(tokens: &[Token], at: usize, length: usize) -> bool {
 /// Whether a run is a term: a sign or nothing stands before it, and after it and its scripts.
 fn is_term(tokens: &[Token], at: usize, length: usize) -> bool {
     let bounds = |token: &Token| match &token.kind {
-        TokenKind::Other(c) => "=+-<>".contains(*c),
-        TokenKind::Row | TokenKind::Align | TokenKind::Space(Space::Wide) => true,
+        TokenKind::Other(c) => "=+-<>()".contains(*c),
+        TokenKind::Row | TokenKind::Align | TokenKind::Open | TokenKind::Close | TokenKind::Space(Space::Wide) => true,
         TokenKind::Command(name) => ["\\approx", "\\leq", "\\geq", "\\equiv", "\\propto"].contains(&name.as_str()),
         _ => false,
     };

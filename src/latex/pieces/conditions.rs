@@ -30,6 +30,13 @@ pub(super) fn begins_condition(item: &Item) -> bool {
                 | "on"
                 | "in"
                 | "as"
+                | "validfor"
+                | "validif"
+                | "validwhen"
+                | "holdsfor"
+                | "holdsif"
+                | "onlyfor"
+                | "onlyif"
         ),
         _ => false,
     }

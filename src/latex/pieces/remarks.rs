@@ -52,11 +52,12 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
     if number && is_unit(&word) {
         return false;
     }
-    // `10^5\text{ Dynes}`, `\frac{9H}{100}\ \text{g}`: a unit directly after a number, and after a fraction.
+    // `10^5\text{ Dynes}`, `\frac{9H}{100}\ \text{g}`, `2\sin(\omega t)\,\text{A}`: a unit directly after a number, and after a
+    // formula.
     let is_beside = at > 0 && items[at - 1].layout != Layout::Space(Space::Wide);
     let before = items[..at].iter().rev().find(is_significant);
-    let is_fraction = before.is_some_and(|item| matches!(item.layout, Layout::Fraction(..)));
-    if is_beside && (number && names_a_unit(&word) || is_fraction && is_unit(&word)) {
+    let is_formula = before.is_some_and(|item| !is_operator(item) && relation(item).is_none() && !separates(item));
+    if is_beside && (number && (names_a_unit(&word) || is_rate_of_units(&word)) || is_formula && is_unit(&word)) {
         return false;
     }
     let bound = |item: &&Item| is_operator(item) || relation(item).is_some();
@@ -133,7 +134,24 @@ fn is_figure(item: &Item) -> bool {
 
 /// Whether a word is the name of a unit: `Dynes`, `turns`.
 fn names_a_unit(word: &str) -> bool {
-    const NAMES: [&str; 34] = [
+    const NAMES: [&str; 51] = [
+        "ft",
+        "feet",
+        "lb",
+        "lbf",
+        "oz",
+        "gal",
+        "btu",
+        "mmhg",
+        "torr",
+        "mph",
+        "fpm",
+        "cfm",
+        "bit",
+        "byte",
+        "photon",
+        "count",
+        "dollar",
         "dyne",
         "joule",
         "newton",
@@ -173,6 +191,14 @@ fn names_a_unit(word: &str) -> bool {
     NAMES
         .iter()
         .any(|name| word == *name || word.strip_suffix('s') == Some(name) || word.strip_suffix("es") == Some(name))
+}
+
+/// Whether a word is a quotient of short words, of which the first may be a unit: `J/bit`, `counts/s`.
+fn is_rate_of_units(word: &str) -> bool {
+    const LONGEST: usize = 7;
+    let is_word = |part: &str| (1..=LONGEST).contains(&part.len()) && part.chars().all(char::is_alphabetic);
+    let parts: Vec<&str> = word.trim_end_matches(['.', ',', ';']).split('/').collect();
+    parts.len() == 2 && parts.iter().all(|part| is_word(part) && !is_prose(part))
 }
 
 /// Whether a word after a number is a unit, and no remark: `m/s`, `eV`, `days`.

@@ -223,6 +223,11 @@ impl Reader<'_> {
                 break;
             }
         }
+        // `\ln N!`: nobody means the factorial of a logarithm.
+        while !run.symbols.is_empty() && items.get(run.end).is_some_and(|item| item.layout == Layout::Other('!')) {
+            run.end += 1;
+            run.stands_alone = true;
+        }
         // `\sin\tfrac12(\pi - \chi)`: a number before a parenthesis is a factor of what is in it.
         let is_circular = matches!(function, Function::Sin | Function::Cos | Function::Tan);
         let is_sum = |item: &Item| match &item.layout {

@@ -10,7 +10,7 @@ use super::super::names::unaccented;
 use super::items::{Joint, beside, extent, joint};
 use super::slashes;
 use super::state::{Read, Reader};
-use super::undeclared::{bar, unclear_reach};
+use super::undeclared::{bar, bound, unclear_reach};
 
 /// A term as far as it was read.
 struct Factors {
@@ -143,6 +143,9 @@ impl Reader<'_> {
             let start = cursor;
             let (factor, enclosed) = self.factor(items, &mut cursor)?;
             let factor = self.with_what_follows(factor, items, &mut cursor)?;
+            if infers {
+                bound::ends_with_its_factor(&items[start..cursor], &items[cursor..])?;
+            }
             if matches!(item.layout, Layout::Group(_)) && matches!(factor.node, Node::Sum(_)) && items.len() > 1 {
                 return Err(Fault::ambiguous(
                     factor.span,

@@ -18,6 +18,7 @@ impl Reader<'_> {
         are_no_words(items, self.symbols)?;
         if self.symbols.open {
             is_no_error_of_measurement(items)?;
+            is_no_range(items)?;
         }
         if self.is_abstract()
             && let Some(found) = self.infix(items, whole)?
@@ -260,5 +261,36 @@ fn is_no_error_of_measurement(items: &[Item]) -> Read<()> {
                 .help("write the value alone"))
         }
         None => Ok(()),
+    }
+}
+
+/// Rejects `15\%-25\%` and `5-10\,\text{m/s}`: a range of values, and no difference.
+fn is_no_range(items: &[Item]) -> Read<()> {
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let Some(sign) = solid.iter().position(|item| matches!(item.layout, Layout::Other('-' | '–'))) else {
+        return Ok(());
+    };
+    let (from, to) = (&solid[..sign], &solid[sign + 1..]);
+    let is_unit = |item: &Item| matches!(item.layout, Layout::Unit(_));
+    let value = |side: &[&Item]| match side {
+        [number, rest @ ..] if rest.iter().all(|item| is_unit(item)) => match &number.layout {
+            Layout::Number(digits) => digits.parse::<f64>().ok().map(|value| (value, !rest.is_empty())),
+            Layout::Group(inside) if inside.len() == 2 && is_unit(&inside[1]) => match &inside[0].layout {
+                Layout::Number(digits) => digits.parse::<f64>().ok().map(|value| (value, true)),
+                _ => None,
+            },
+            _ => None,
+        },
+        _ => None,
+    };
+    let is_percent =
+        |side: &[&Item]| side.last().is_some_and(|item| typed(std::slice::from_ref(*item)).ends_with("\\%"));
+    match (value(from), value(to)) {
+        // `1 - 20\%` and `2\,\text{s} - 3\,\text{s}` are differences.
+        (Some((first, has_unit)), Some((second, true))) if first < second && has_unit == is_percent(to) => {
+            let span = from[0].span.to(to[to.len() - 1].span);
+            Err(Fault::ambiguous(span, "this may be a range of values or a difference").help("write one value"))
+        }
+        _ => Ok(()),
     }
 }

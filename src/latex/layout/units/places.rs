@@ -143,6 +143,15 @@ impl Settler {
         let mut out: Vec<Item> = Vec::with_capacity(items.len());
         let mut at = 0;
         while at < items.len() {
+            // `25°C`
+            if follows_quantity && sign(&items[at]).is_some_and(|unit| unit.is_degree()) {
+                let after = items[at + 1..].iter().find(|item| !is_thin(item));
+                if after.is_some_and(is_scale) {
+                    out.push(no_temperature(items[at].span));
+                    at += 1;
+                    continue;
+                }
+            }
             if follows_quantity
                 && let Some((units, next)) = self.run(items, at, false)
                 && !is_applied(&items[next..])
@@ -344,22 +353,27 @@ fn is_applied(rest: &[Item]) -> bool {
     })
 }
 
-/// A number in degrees. Degrees of a temperature are another scale.
-fn degrees(whole: &Item, number: &Item, circle: &Item, next: Option<&Item>) -> Item {
-    let is_scale = |item: &Item| match &item.layout {
+/// Whether an item is the letter of a scale of temperature.
+fn is_scale(item: &Item) -> bool {
+    match &item.layout {
         Layout::Letter(c) => "CFRK".contains(*c),
         Layout::Unit(units) => {
             units.plain.first().is_some_and(|plain| letter_of(plain).is_some_and(|c| "CFRK".contains(c)))
         }
         _ => letter_of(item).is_some_and(|c| "CFRK".contains(c)),
-    };
+    }
+}
+
+fn no_temperature(span: Span) -> Item {
+    let message = "a temperature in degrees is not supported, because its zero is not that of the kelvin";
+    let fault = Fault::unsupported(span, message).help("write the temperature in kelvin, \\text{K}");
+    Item { layout: Layout::Fault(fault), span }
+}
+
+/// A number in degrees. Degrees of a temperature are another scale.
+fn degrees(whole: &Item, number: &Item, circle: &Item, next: Option<&Item>) -> Item {
     if next.is_some_and(is_scale) {
-        let fault = Fault::unsupported(
-            whole.span,
-            "a temperature in degrees is not supported, because its zero is not that of the kelvin",
-        )
-        .help("write the temperature in kelvin, \\text{K}");
-        return Item { layout: Layout::Fault(fault), span: whole.span };
+        return no_temperature(whole.span);
     }
     let Some(mut units) = Unit::degree().and_then(one) else { return whole.clone() };
     units.plain = vec![circle.clone()];

@@ -51,7 +51,7 @@ impl Reader<'_> {
                 "otherwise" | "else" | "elsewhere" if rest.iter().all(is_blank) => return Ok(Stated::Otherwise),
                 "forall" | "forevery" | "foreach" | "forany" | "all" | "any" | "every" => break,
                 "if" | "for" | "when" | "where" | "with" | "in" | "provided" | "providedthat" | "whenever" | "as"
-                | "" => {}
+                | "validfor" | "validif" | "validwhen" | "holdsfor" | "holdsif" | "onlyfor" | "onlyif" | "" => {}
                 // Of several places the condition is one, and no state is at all of them.
                 "at" | "on" if rest.iter().any(|item| item.layout == Layout::Other(',')) => {
                     return Err(Fault::unsupported(items[0].span, "several places in one condition are not supported")

@@ -26,6 +26,7 @@ use crate::formula::symbols::{Entry, Kind, Name};
 use crate::formula::tree::Expr;
 use crate::source::{Fault, Span};
 
+use super::super::arguments::has_dagger;
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
 use super::items::{differential, function_head, is_lone, is_minus_one};
@@ -216,6 +217,7 @@ impl Reader<'_> {
             && is_term
             && !inside.is_empty()
             && !has_nabla(inside)
+            && !has_dagger(inside)
             && self.is_argument_by_its_letters(entry, inside)
     }
 

@@ -6,7 +6,7 @@ use crate::formula::symbols::{Inferred, Name};
 use super::super::super::layout::{Delimiter, Item, Layout};
 use super::super::super::lexer::Space;
 use super::super::super::names;
-use super::super::items::{contents, differential, is_transpose, whole_number};
+use super::super::items::{contents, differential, is_limit, is_transpose, whole_number};
 use super::super::vector_names::is_vectorial;
 
 /// Records it.
@@ -293,6 +293,8 @@ impl Found {
             self.has_constants |= name == "\\hbar";
         }
         self.has_lone_e |= item.layout == Layout::Letter('e');
+        // Stirling's formula, and the limit of (1 + 1/n)^n: there e is Euler's number.
+        self.has_exponential |= item.layout == Layout::Other('!') || is_limit(item);
         match &item.layout {
             Layout::Command(name) if name == "\\psi" || name == "\\Psi" => self.has_states = true,
             Layout::Scripts { nucleus, sub, sup, .. } => self.scripts(nucleus, sub.as_deref(), sup.as_deref()),

@@ -13,8 +13,7 @@ impl Reader<'_> {
     pub(in super::super) fn extremum(&mut self, items: &[Item], place: Span) -> Read<Option<Expr>> {
         let Some(at) = items.iter().position(|item| !matches!(item.layout, Layout::Space(_))) else { return Ok(None) };
         let rest = &items[at + 1..];
-        let has_terms = rest.iter().any(|item| matches!(item.layout, Layout::Other('+' | '-')));
-        if !is_extremum(&items[at]) || !has_terms {
+        if !is_extremum(&items[at]) || rest.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
             return Ok(None);
         }
         let inner = self.sum(rest, place)?;

@@ -82,16 +82,18 @@ impl Reader<'_> {
             )
             .help("write 2.897 for the decimals, and 2897 for the thousands"));
         }
-        // `\alpha, \beta \in S`: the sign is about all names of the list.
-        let mut signs = items.iter().enumerate().filter(|(_, item)| sign(item, &["\\in", "\\notin"]));
+        // `\alpha, \beta \in S`, `X_1, \dots, X_n \sim N`: the sign is about all names of the list.
+        let mut signs = items.iter().enumerate().filter(|(_, item)| states(item));
+        let is_listed = |item: &Item| {
+            let is_mark = sign(item, &["\\Delta", "\\delta", "\\dots"]);
+            is_mark || matches!(item.layout, Layout::Space(_)) || names::printed(item, None).is_some()
+        };
         if let (Some((at, _)), None) = (signs.next(), signs.next())
             && items[..at].iter().any(is_comma)
-            && items[..at].iter().all(|item| {
-                is_comma(item) || matches!(item.layout, Layout::Space(_)) || names::printed(item, None).is_some()
-            })
+            && items[..at].iter().all(|item| is_comma(item) || is_listed(item))
             && !items[at..].iter().any(is_comma)
         {
-            return self.divided(items, &|item| sign(item, &["\\in", "\\notin"]), place).map(Some);
+            return self.divided(items, &states, place).map(Some);
         }
         if items.iter().any(is_comma) {
             return self.divided(items, &is_comma, place).map(Some);

@@ -10,6 +10,7 @@ use crate::formula::tree::{Expr, Index, Node};
 use crate::source::{Fault, Span};
 use crate::suggest;
 
+use super::super::arguments::distribution;
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names::{self, Printed};
 use super::items::{contents, is_minus_one, is_transpose, whole_number};
@@ -24,7 +25,12 @@ impl Reader<'_> {
         items: &[Item],
         cursor: &mut usize,
     ) -> Read<Expr> {
-        let printed = self.decorated(printed, span)?;
+        let mut printed = self.decorated(printed, span)?;
+        if self.symbols.open
+            && let Some(name) = distribution(&printed, items.get(*cursor))
+        {
+            printed = Printed { name, dots: 0, sup: None };
+        }
         let name = &printed.name;
         if let Some(value) = self.inferred_function(span, &printed, items, cursor)? {
             return Ok(value);

@@ -12,6 +12,7 @@
 //! | `integrals` | `\int`, `\oint`, differentials in the integrand |
 //! | `fields` | `\nabla` |
 //! | `marks` | δ and Δ before a letter: variations, differences and factors |
+//! | `bound` | the letter of an integral that stands again behind it, which is refused |
 //! | `neighbours` | factors that a person reads otherwise, which are refused |
 //! | `bars` | `\left. … \right|_{x=a}`, `(\partial S/\partial V)_T` |
 //!
@@ -23,6 +24,7 @@ pub(in super::super) use marks::note_marks;
 pub(super) use neighbours::unclear_reach;
 
 mod bars;
+pub(super) mod bound;
 pub(in super::super) mod coefficient_d;
 mod fields;
 mod functions;

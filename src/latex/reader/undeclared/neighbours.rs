@@ -1,6 +1,7 @@
 //! Neighbouring factors that a person reads otherwise where nothing is declared: `(f + g)(x)`, `h(t) * g(t)`, `x{2}`, `A \uparrow B`,
 //! `\frac1T [Hz]`. They are refused.
 
+use crate::formula::symbols::Name;
 use crate::source::Fault;
 
 use super::super::super::layout::{Delimiter, Item, Layout, typed};
@@ -105,12 +106,69 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(item.span, format!("[{unit}] may be a unit or a product"))
                 .help(format!("write \\text{{{unit}}} for the unit, or parentheses for a product")));
         }
+        if touches && is_mean(before) && (self.is_lone_letter(item) || is_lone_number(item)) {
+            return Err(Fault::ambiguous(span, "this may be a value at a place, or a product")
+                .help("for a product, remove the parentheses around the letter"));
+        }
+        if touches && self.is_no_plain_factor(before) && (self.is_lone_letter(item) || self.is_list_of_names(item)) {
+            return Err(Fault::ambiguous(
+                span,
+                "the parenthesis after this formula may hold the place where it is taken, or a factor",
+            )
+            .help("for a product, write \\cdot"));
+        }
+        if let Some(variable) = variable_of_derivative(before).filter(|_| touches)
+            && is_place_of(item, &variable)
+        {
+            return Err(Fault::ambiguous(
+                span,
+                "the parenthesis after this derivative may be the place where it is taken, or a factor",
+            )
+            .help("for a product, write \\cdot; for a place, put a bar after the derivative, |_{x = a}"));
+        }
+        if is_filter(items, at) {
+            return Err(
+                Fault::ambiguous(item.span, "* may be a product or a convolution").help("for a product write \\cdot")
+            );
+        }
+        let ends =
+            items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_) | Layout::Other('.' | ',')));
+        if ends && is_equation_number(item) && !is_nonzero_number(before) {
+            return Err(Fault::ambiguous(
+                item.span,
+                "a number in parentheses at the end may be that of the equation, or a factor",
+            )
+            .help("number the equation with \\tag, and write a factor before what it multiplies"));
+        }
         let run: String = items[at..].iter().map_while(letter).collect();
         if matches!(before.layout, Layout::Number(_)) && UNITS.contains(&run.as_str()) {
             return Err(Fault::ambiguous(item.span, format!("{run} may be a unit or a product"))
                 .help(format!("write \\text{{{run}}} for the unit, or \\cdot between the factors")));
         }
         Ok(())
+    }
+
+    /// Whether an item is a formula that may be a function as a whole: a quotient, a root, bars, a mark over several letters.
+    fn is_no_plain_factor(&self, item: &Item) -> bool {
+        let is_number = |item: &Item| super::super::items::is_numeric_item(item);
+        match &item.layout {
+            Layout::Fraction(..) | Layout::Root(..) => !is_number(item),
+            // `2(b)(\omega)`: both are put in.
+            Layout::Fence(..) => !self.is_lone_letter(item) && !is_lone_number(item),
+            Layout::Accent(..) => names::printed(item, self.branch).is_none(),
+            Layout::Scripts { nucleus, .. } => {
+                names::printed(item, self.branch).is_none() && self.is_no_plain_factor(nucleus)
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether names with commas between them stand in a parenthesis: `(\theta, \phi)`.
+    fn is_list_of_names(&self, item: &Item) -> bool {
+        let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+        let is_comma = |item: &Item| matches!(item.layout, Layout::Other(','));
+        let is_part = |item: &Item| is_comma(item) || matches!(item.layout, Layout::Space(_)) || self.is_name(item);
+        inside.iter().any(is_comma) && inside.iter().all(is_part)
     }
 
     fn is_name(&self, item: &Item) -> bool {
@@ -122,6 +180,73 @@ impl Reader<'_> {
         let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
         matches!(inside.as_slice(), [only]
             if names::printed(only, self.branch).is_some_and(|found| found.sup.is_none() && found.name.primes == 0))
+    }
+}
+
+/// Whether an item is a mean value, `\langle x \rangle`, or the square of an absolute value, `|\psi|^2`.
+fn is_mean(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Fence(Delimiter::Angle, _) | Layout::Value(_) => true,
+        Layout::Scripts { nucleus, sup, .. } => {
+            let is_bar = matches!(nucleus.layout, Layout::Fence(Delimiter::Bar | Delimiter::PlainBar, _));
+            is_mean(nucleus) || is_bar && sup.as_deref().and_then(super::super::items::whole_number) == Some(2)
+        }
+        _ => false,
+    }
+}
+
+fn is_lone_number(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Fence(Delimiter::Round, inside)
+        if matches!(inside.as_slice(), [Item { layout: Layout::Number(_), .. }]))
+}
+
+/// The letter by which a fraction differentiates: x of `\frac{\partial V}{\partial x}`.
+fn variable_of_derivative(item: &Item) -> Option<Name> {
+    let Layout::Fraction(above, below) = &item.layout else { return None };
+    let is_d = |item: &Item| {
+        item.layout == Layout::Letter('d') || matches!(&item.layout, Layout::Command(name) if name == "\\partial")
+    };
+    let starts = contents(above).first().is_some_and(is_d);
+    match contents(below) {
+        [d, variable] if starts && is_d(d) => names::printed(variable, None).map(|found| found.name),
+        _ => None,
+    }
+}
+
+/// Whether a parenthesis holds one of several terms with a variable, `(2x)`, `(x_0 + h)`; `x - x_0` is a factor.
+fn is_place_of(item: &Item, variable: &Name) -> bool {
+    let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
+    let is_it = |item: &Item| {
+        names::printed(item, None)
+            .is_some_and(|found| found.name.base == variable.base && found.sup.is_none() && found.dots == 0)
+    };
+    let has_difference = inside.iter().any(|item| matches!(item.layout, Layout::Other('-' | ',')));
+    inside.len() > 1 && !has_difference && inside.iter().any(is_it)
+}
+
+/// Whether a `*` stands between a kernel and one other name, which are the whole side: `G * u`.
+fn is_filter(items: &[Item], at: usize) -> bool {
+    let solid = |items: &[Item]| {
+        items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).cloned().collect::<Vec<_>>()
+    };
+    let (before, after) = (solid(&items[..at]), solid(&items[at + 1..]));
+    let is_kernel = |item: &Item| matches!(letter(item), Some('G' | 'K'));
+    let is_name = |item: &Item| names::printed(item, None).is_some_and(|found| found.sup.is_none());
+    items[at].layout == Layout::Other('*')
+        && matches!((before.as_slice(), after.as_slice()), ([kernel], [name]) if is_kernel(kernel) && is_name(name))
+}
+
+/// `(5.12)`
+fn is_equation_number(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Fence(Delimiter::Round, inside)
+        if matches!(inside.as_slice(), [Item { layout: Layout::Number(digits), .. }] if digits.contains('.')))
+}
+
+fn is_nonzero_number(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Number(digits) => digits != "0",
+        Layout::Scripts { nucleus, .. } => is_nonzero_number(nucleus),
+        _ => is_lone_number(item),
     }
 }
 
@@ -189,6 +314,18 @@ pub(in super::super) fn unclear_reach(items: &[Item]) -> Option<Fault> {
     let is_command =
         |item: &Item, names: &[&str]| matches!(&item.layout, Layout::Command(name) if names.contains(&name.as_str()));
     let (first, rest) = solid.split_first()?;
+    // `\nabla f(x)_1`
+    if let [name, value, ..] = rest
+        && is_command(first, &["\\nabla"])
+        && names::printed(name, None).is_some()
+        && let Layout::Scripts { nucleus, sub: Some(_), .. } = &value.layout
+        && matches!(nucleus.layout, Layout::Fence(Delimiter::Round, _))
+    {
+        return Some(
+            Fault::ambiguous(value.span, "the subscript may belong to the gradient or to the function")
+                .help("write the component of the gradient as (\\nabla f)_1"),
+        );
+    }
     let sign = match rest.first() {
         Some(dot) if is_command(first, &["\\nabla"]) && is_command(dot, &["\\cdot"]) => {
             rest.iter().skip(1).find(|item| is_command(item, &["\\times", "\\wedge", "\\otimes"]))
