@@ -161,7 +161,7 @@ fn alphabet(command: &str, inner: &str) -> Option<char> {
 }
 
 /// The commands that print one character, without the backslash.
-const LETTERS: [(&str, char); 131] = [
+const LETTERS: [(&str, char); 132] = [
     ("sum", 'Σ'),
     ("prod", 'Π'),
     ("int", '∫'),
@@ -242,6 +242,7 @@ const LETTERS: [(&str, char); 131] = [
     ("geq", '≥'),
     ("times", '×'),
     ("rightarrow", '→'),
+    ("longleftarrow", '⟵'),
     ("leftarrow", '←'),
     ("leftrightarrow", '↔'),
     ("uparrow", '↑'),

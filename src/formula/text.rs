@@ -231,9 +231,11 @@ impl Writer<'_> {
         }
         // A mark above a product prints as a word, as a combining mark would stand above its last letter only.
         for (at, argument) in arguments.iter().enumerate() {
-            let marked = format!("\\bar{{{}}}", hole(at));
-            if text.contains(&marked) && !matches!(argument.node, Node::Symbol { .. } | Node::Number(_)) {
-                text = text.replacen(&marked, &format!("overline({})", hole(at)), 1);
+            for (mark, word) in [("bar", "overline"), ("hat", "hat"), ("tilde", "tilde"), ("vec", "vec")] {
+                let marked = format!("\\{mark}{{{}}}", hole(at));
+                if text.contains(&marked) && !matches!(argument.node, Node::Symbol { .. } | Node::Number(_)) {
+                    text = text.replacen(&marked, &format!("{word}({})", hole(at)), 1);
+                }
             }
         }
         let mut text = plain(&text);

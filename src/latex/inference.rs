@@ -311,9 +311,9 @@ impl Evidence {
         let is_list = ["\\pi", "\\epsilon"].contains(&name.base.as_str()) && arguments.len() > 1;
         let is_distribution =
             name.base.starts_with("\\delta^{(") || name.base == "\\delta" && found.sup.is_some_and(is_dimension);
-        // `e(t) = r(t) - y(t)`: the error of a control.
+        // `e(t) = r(t) - y(t)`: the error of a control. Nobody multiplies Euler's number by the time in this way.
         let is_signal = name.base == "e"
-            && is_side
+            && found.sup.is_none()
             && matches!(arguments.as_slice(), [only] if self.plain(only) == self.time.as_ref().map(ToString::to_string));
         let may_be = is_signal || is_list || is_distribution && delimiter == Delimiter::Round;
         if never.contains(&name.base.as_str()) && !may_be {

@@ -9,6 +9,7 @@
 //! | a place that a product with the time is taken from, `x' = x - vt`; a bold letter with a prime and an index | all |
 //! | an energy that is its unprimed one and more, `U' = U + ma x` | these |
 //! | two of them, beside a sine and a cosine: a rotation | all |
+//! | ℓ, l; a bold letter; under a bar, as the mean of a fluctuation | these |
 //! | L, H and calligraphic letters; λ, ν; a velocity, a momentum or an energy with a number below, at least two | these |
 //!
 //! Two primes anywhere are derivatives, and then nothing is inferred.
@@ -40,7 +41,12 @@ pub(super) fn letters(items: &[Item]) -> Vec<Name> {
     }
     let of_particles: Vec<&Name> = found.primed.iter().filter(|name| is_of_a_particle(name)).collect();
     let several = of_particles.len() > 1;
-    let is_other = |name: &&Name| is_usual(name) || several && is_of_a_particle(name) || found.shifted.contains(name);
+    let is_other = |name: &&Name| {
+        is_usual(name)
+            || several && is_of_a_particle(name)
+            || found.shifted.contains(name)
+            || found.averaged.contains(name)
+    };
     found.primed.iter().filter(is_other).map(unprimed).collect()
 }
 
@@ -54,7 +60,8 @@ fn is_of_a_particle(name: &Name) -> bool {
 
 /// A quantity that nobody differentiates with a prime.
 fn is_usual(name: &Name) -> bool {
-    ["L", "H", "\\lambda", "\\nu"].contains(&name.base.as_str()) || name.base.starts_with("\\mathcal{")
+    ["L", "H", "\\lambda", "\\nu", "\\ell", "l"].contains(&name.base.as_str())
+        || ["\\mathcal{", "\\mathbf{k", "\\mathbf{q", "\\mathbf{p"].iter().any(|style| name.base.starts_with(style))
 }
 
 #[derive(Default)]
@@ -68,6 +75,8 @@ struct Found {
     has_frame: bool,
     /// Energies that are equal to a sum with the unprimed one in it.
     shifted: Vec<Name>,
+    /// Names under a bar: what varies about a mean.
+    averaged: Vec<Name>,
     has_sine: bool,
     has_cosine: bool,
 }
@@ -148,6 +157,12 @@ impl Found {
             Layout::Fraction(a, b) => {
                 self.list(super::reader::items::contents(a));
                 self.list(super::reader::items::contents(b));
+            }
+            Layout::Accent(bar, a) if bar == "\\overline" || bar == "\\bar" => {
+                let inside = super::reader::items::contents(a);
+                self.list(inside);
+                let names = inside.iter().filter_map(|item| names::printed(item, None)).map(|found| found.name);
+                self.averaged.extend(names.filter(|name| name.primes == 1));
             }
             Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => {
                 self.list(super::reader::items::contents(a));

@@ -202,10 +202,10 @@ fn begins_argument(token: &Token) -> bool {
 
 /// Names of several letters that are products nowhere: energies, errors, heating values. `F = Ma`, `\tau = Fr` and `BIL = mg` are
 /// products.
-const NAMES: [&str; 40] = [
+const NAMES: [&str; 44] = [
     "KE", "PE", "GPE", "EPE", "COP", "NTU", "SNR", "RMS", "EMF", "MSE", "RMSE", "LHV", "HHV", "LCV", "HCV", "ESS",
     "GBW", "GBP", "BER", "RPM", "PSF", "MTF", "OTF", "BMI", "FOM", "SPL", "PSD", "PRF", "SAR", "VSWR", "MTBF", "LCOE",
-    "RCS", "THD", "SINR", "SFDR", "FWHM", "EIRP", "ENBW", "DOF",
+    "RCS", "THD", "SINR", "SFDR", "FWHM", "EIRP", "ENBW", "DOF", "ITAE", "IAE", "ISE", "MAE",
 ];
 
 /// Numbers without a unit, which are names where one of them is a whole left side: `Re = \rho v D/\mu`.
@@ -216,12 +216,15 @@ pub(super) fn with_names(tokens: Vec<Token>) -> Vec<Token> {
     let spots: Vec<(usize, String)> = (0..tokens.len()).filter_map(|at| Some((at, name_at(&tokens, at)?))).collect();
     let has_number =
         spots.iter().any(|(at, name)| NUMBERS.contains(&name.as_str()) && is_left_side(&tokens, *at, name.len()));
-    let is_sure = |name: &String| match NUMBERS.contains(&name.as_str()) {
-        true => has_number,
-        false => spots.iter().any(|(at, other)| other == name && is_term(&tokens, *at, name.len())),
+    let is_sure = |at: usize, name: &String| {
+        name == "Re" && is_no_real_part(&tokens, at)
+            || match NUMBERS.contains(&name.as_str()) {
+                true => has_number,
+                false => spots.iter().any(|(at, other)| other == name && is_term(&tokens, *at, name.len())),
+            }
     };
     let mut found = tokens.clone();
-    for (at, name) in spots.iter().rev().filter(|(_, name)| is_sure(name)) {
+    for (at, name) in spots.iter().rev().filter(|(at, name)| is_sure(*at, name)) {
         let (start, end) = (*at, at + name.len());
         let token = |kind: TokenKind, place: usize| Token { kind, span: tokens[place].span };
         found.insert(end, token(TokenKind::Close, end - 1));
@@ -248,6 +251,20 @@ fn name_at(tokens: &[Token], at: usize) -> Option<String> {
     let length = if is_inside { 0 } else { run(&tokens[at..]) };
     let word: String = tokens[at..at + length].iter().filter_map(letter).collect();
     (NAMES.contains(&word.as_str()) || NUMBERS.contains(&word.as_str())).then_some(word)
+}
+
+/// Whether what follows "Re" is no complex number of which it is the real part. Nobody multiplies R by Euler's number.
+fn is_no_real_part(tokens: &[Token], at: usize) -> bool {
+    let after = tokens[at + 2..].iter().find(|token| token.kind != TokenKind::Space(Space::Thin));
+    after.is_none_or(|token| match &token.kind {
+        TokenKind::Other(c) => "=+-/<>),]|".contains(*c),
+        TokenKind::Close | TokenKind::Super | TokenKind::Row | TokenKind::Align | TokenKind::Space(_) => true,
+        TokenKind::Command(name) => {
+            ["\\sqrt", "\\cdot", "\\times", "\\right", "\\approx", "\\leq", "\\geq", "\\ll", "\\gg"]
+                .contains(&name.as_str())
+        }
+        _ => false,
+    })
 }
 
 /// Whether a run is the first side of an equation: at the beginning, or of a row.

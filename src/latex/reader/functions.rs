@@ -14,6 +14,7 @@ use super::items::{
     reciprocal,
 };
 use super::state::{Read, Reader};
+use super::structure::is_function_letter;
 
 /// Whether a letter usually is an angle.
 fn is_letter_of_an_angle(name: &Name) -> bool {
@@ -193,6 +194,10 @@ impl Reader<'_> {
             if printed.dots > 0 && run.end > start {
                 break;
             }
+            // `\sin\theta e^{i\phi}`: the exponential is a factor.
+            if printed.sup.is_some() && printed.name.base == "e" && !run.symbols.is_empty() && self.symbols.open {
+                break;
+            }
             if printed.sup.is_some() {
                 // After an angle the argument is over; before that, the power could be of the symbol or the function.
                 if run.end == start || run.symbols.is_empty() && run.numbers > 0 || !run.has_angle() {
@@ -203,6 +208,15 @@ impl Reader<'_> {
                     )
                     .help(format!("write \\{}(…) with the power inside, or \\{0}^2", function.name())));
                 }
+                break;
+            }
+            // `\sin\delta_l P_l(\cos\theta)`: a function with its argument is a factor.
+            if !run.symbols.is_empty()
+                && self.symbols.open
+                && let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), .. }) = items.get(run.end + 1)
+                && !printed.name.subscript.is_empty()
+                && is_function_letter(&printed.name, inside)
+            {
                 break;
             }
             let entry = self.symbols.find(&printed.name).map(|(id, _)| self.symbols.entry(id));

@@ -175,6 +175,15 @@ impl Reader<'_> {
             {
                 return Err(label(sup.span));
             }
+            // `W^{\rm M}`: one upright capital names something too.
+            [Item { layout: Layout::Style(style, inner), .. }]
+                if style == "\\mathrm"
+                    && self.symbols.open
+                    && matches!(contents(inner), [Item { layout: Layout::Letter('A'..='Z'), .. }])
+                    && !matches!(base.node, Node::Number(_)) =>
+            {
+                return Err(label(sup.span));
+            }
             // `c^{s\dagger}`, `H^{\dagger(i)}`
             [_, _, ..] if marks.iter().any(|item| is_dagger(item)) => return Err(self.mark(base, sup)),
             // `U^{\mathrm{dis}(k)}`
@@ -311,7 +320,9 @@ fn is_unlikely_index(
     // Of a capital, r and s are labels as often: those of quarks.
     let is_capital = name.len() == 1 && name.starts_with(char::is_uppercase);
     let is_power = |letter: &String| {
-        ["n", "m", "k", "p", "q", "\\gamma"].contains(&letter.as_str())
+        // `r^\ell`: the radial part of a multipole.
+        let is_multipole = name == "r" && subscript.is_empty() && ["l", "\\ell"].contains(&letter.as_str());
+        is_multipole || ["n", "m", "k", "p", "q", "\\gamma"].contains(&letter.as_str())
             || !is_capital && ["r", "s"].contains(&letter.as_str())
             // `\omega_0^N`: a label below, and a number of particles or stages above.
             || !is_capital && letter == "N" && matches!(subscript, [label] if label.bytes().all(|b| b.is_ascii_digit()))

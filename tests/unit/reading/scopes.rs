@@ -116,3 +116,18 @@ fn upright_functions_and_names_of_several_letters() {
         "H = \\Gamma(a^\\dagger b + b^\\dagger a)",
     ]);
 }
+
+#[test]
+fn names_functions_and_units_that_a_physicist_reads_at_once() {
+    are_read(&[
+        ("f = \\frac{64}{Re}", "f = 64/Re"),
+        ("f = \\log_{10}(Re/7)", "f = log_{10}(Re/7)"),
+        ("Z_1 = V\\left(\\frac{mT}{h^2}\\right)^{3/2}", "Z_1 = V·((m·T)/h^2)^(3/2)"),
+        ("\\dot\\rho = -i[H, \\rho]", "ρ̇ = −i·[H, ρ]"),
+        ("f(a) = \\frac{1}{2\\pi i}\\oint_C \\frac{f(z)}{z - a} dz", "f(a) = (1/(2·π·i))·∮_{C}((f(z)/(z − a))·dz)"),
+        ("a = \\sum_l j_l(kr) P_l(\\cos\\theta)", "a = Σ_{l}(j_l(k·r)·P_l(cos(θ)))"),
+        ("u(t) = K e(t)", "u(t) = K·e(t)"),
+        ("\\widehat{fg} = a", "hat(f·g) = a"),
+    ]);
+    are_refused(&["a = i x", "a = \\mathcal{D}[\\hat b][\\hat\\rho]"]);
+}

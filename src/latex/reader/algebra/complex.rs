@@ -27,7 +27,9 @@ impl Reader<'_> {
         while items.get(at).is_some_and(is_space) {
             at += 1;
         }
-        let Some(argument) = items.get(at) else { return Ok(None) };
+        // `Re/7` is the number of Reynolds.
+        let is_divided = |item: &&Item| item.layout != Layout::Other('/');
+        let Some(argument) = items.get(at).filter(is_divided) else { return Ok(None) };
         let is_enclosed = matches!(argument.layout, Layout::Fence(..));
         let rest = items[at + 1..].iter().filter(|item| !is_space(item)).count();
         if !is_enclosed && (rest > 0 || head.layout != Layout::Command(format!("\\{}", part.name()))) {

@@ -369,6 +369,13 @@ fn is_evident(items: &[Item]) -> bool {
         Layout::Fraction(above, below) if matches!(contents(above), [only] if is_i(only)) => {
             contents(below).iter().all(|item| matches!(item.layout, Layout::Number(_) | Layout::Root(..)))
         }
+        // `\frac{1}{2\pi i}`, `\frac{1}{2i}[A, B]`
+        Layout::Fraction(above, below)
+            if matches!(contents(above), [one] if is_one(one)) && is_twice_i(contents(below)) =>
+        {
+            let has_pi = contents(below).iter().any(|item| item.layout == Layout::Command("\\pi".to_owned()));
+            has_pi || solid.get(at + 1).is_some_and(|next| is_commutator(next))
+        }
         Layout::Environment(name, rows) if is_matrix(name) => is_matrix_of_units(rows),
         Layout::Command(name) if name == "\\exp" => {
             solid.get(at + 1).is_some_and(|next| matches!(&next.layout, Layout::Fence(_, inside) if mentions(inside)))
@@ -377,10 +384,46 @@ fn is_evident(items: &[Item]) -> bool {
             let next = solid.get(at + 1);
             is_upright_i(item)
                 || is_i(item)
-                    && (is_hbar(next) || is_sine(next) || is_greek(next) || is_bold_name(next) || is_pair(&solid, at))
+                    && (is_hbar(next)
+                        || is_sine(next)
+                        || is_greek(next)
+                        || is_bold_name(next)
+                        || is_pair(&solid, at)
+                        || next.is_some_and(|next| is_commutator(next))
+                        || next.is_some_and(|next| begins_with_a_frequency(next)))
         }
     });
     here || items.iter().any(|item| parts(item).into_iter().any(is_evident))
+}
+
+fn is_one(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Number(digits) if digits == "1")
+}
+
+/// `2i`, `2\pi i`
+fn is_twice_i(items: &[Item]) -> bool {
+    let mut solid = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    let is_two = solid.next().is_some_and(|first| matches!(&first.layout, Layout::Number(digits) if digits == "2"));
+    let rest: Vec<&Item> = solid.collect();
+    is_two && rest.last().is_some_and(|last| is_i(last)) && rest.len() <= 2
+}
+
+/// `[A, B]`, in angle brackets or parentheses perhaps.
+fn is_commutator(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Fence(Delimiter::Square, inside) => inside.iter().any(|item| item.layout == Layout::Other(',')),
+        Layout::Fence(Delimiter::Angle | Delimiter::Round, inside) => {
+            matches!(inside.as_slice(), [only] if is_commutator(only))
+        }
+        _ => false,
+    }
+}
+
+/// `(\omega L - \ldots)`: what is imaginary of an impedance.
+fn begins_with_a_frequency(item: &Item) -> bool {
+    let Layout::Fence(Delimiter::Round | Delimiter::Square, inside) = &item.layout else { return false };
+    let first = inside.iter().find(|item| !matches!(item.layout, Layout::Space(_)));
+    first.and_then(name_of).is_some_and(|found| ["\\omega", "\\Omega"].contains(&found.name.base.as_str()))
 }
 
 /// A sine after i, as in cos θ + i sin θ.

@@ -94,6 +94,27 @@ pub(super) fn is_value(item: &Item) -> bool {
     }
 }
 
+/// Whether an exponent is a fraction of numbers or has decimals: `3/2`, `0.5`.
+pub(super) fn is_fractional(sup: &Item) -> bool {
+    let is_number = |item: &Item| matches!(item.layout, Layout::Number(_));
+    match contents(sup) {
+        [Item { layout: Layout::Number(digits), .. }] => digits.contains('.'),
+        [Item { layout: Layout::Fraction(a, b), .. }] => [a, b].iter().all(|part| contents(part).iter().all(is_number)),
+        [a, slash, b] => is_number(a) && slash.layout == Layout::Other('/') && is_number(b),
+        _ => false,
+    }
+}
+
+/// `\theta(t - t')`: the step of Heaviside, of the difference of two values of one quantity.
+pub(super) fn is_step_function(entry: &Entry, inside: &[Item]) -> bool {
+    let base =
+        |item: &Item| names::printed(item, None).filter(|found| found.sup.is_none()).map(|found| found.name.base);
+    let is_step = ["\\theta", "\\Theta"].contains(&entry.name.base.as_str()) && entry.name.subscript.is_empty();
+    let solid: Vec<&Item> = inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let [first, minus, second] = solid.as_slice() else { return false };
+    is_step && minus.layout == Layout::Other('-') && base(first).is_some() && base(first) == base(second)
+}
+
 /// Whether ∇ stands in a parenthesis: what it makes of a field is no argument of a letter.
 pub(super) fn has_nabla<'i>(inside: impl IntoIterator<Item = &'i Item>) -> bool {
     inside.into_iter().any(|item| match &item.layout {

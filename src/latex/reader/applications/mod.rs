@@ -33,8 +33,8 @@ use super::items::{differential, function_head, is_lone, is_minus_one};
 use super::state::{Read, Reader};
 pub(super) use inside::are_names;
 use inside::{
-    FIELDS, has_nabla, has_rate, is_function, is_product_of_vectors, is_value, is_zero, may_be_an_argument, mentions,
-    parenthesis, relation_or_comma,
+    FIELDS, has_nabla, has_rate, is_fractional, is_function, is_product_of_vectors, is_step_function, is_value,
+    is_zero, may_be_an_argument, mentions, parenthesis, relation_or_comma,
 };
 
 impl Reader<'_> {
@@ -197,6 +197,9 @@ impl Reader<'_> {
         }
         if *delimiter != Delimiter::Round {
             return false;
+        }
+        if is_step_function(entry, inside) {
+            return true;
         }
         // `ru(1 - u)`: nothing is a function of itself.
         if !is_function(entry) && inside.iter().any(|item| mentions(item, &entry.name)) {
@@ -389,6 +392,14 @@ impl Reader<'_> {
         let is_sum_here = !is_bessel && terms.len() > 1;
         if name.subscript == ["0"] && name.primes == 0 && inside.len() > 1 && (has_number || is_powered || is_sum_here)
         {
+            return Ok(());
+        }
+        // `V\left(\frac{m T}{a}\right)^{3/2}`: nobody writes a root of a function in this way. The s of a Laplace transform is no
+        // function of anything but the time.
+        let is_root = matches!(&next.layout, Layout::Scripts { sub: None, sup: Some(sup), .. } if is_fractional(sup));
+        let is_laplace = name.base == "s" && name.subscript.is_empty() && name.primes == 0 && inside.len() > 1;
+        let is_quotient = matches!(inside.as_slice(), [Item { layout: Layout::Fraction(..), .. }]);
+        if is_root && is_quotient || is_laplace && !self.shifts_the_time(&inside) {
             return Ok(());
         }
         // `P_0 \left(\frac{T}{T_0}\right)^\chi`: a value to which a power of a ratio is a factor.

@@ -100,6 +100,9 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
         && !is_ratio
         // `P_{n+1}(A - BK_n)` is a product of matrices.
         && !inside.first().is_some_and(is_capital);
+    // The spherical Bessel function `j_l(kr)`.
+    let is_order = |part: &String| ["l", "\\ell", "n", "0", "1", "2"].contains(&part.as_str());
+    let is_spherical = base == "j" && matches!(name.subscript.as_slice(), [order] if is_order(order));
     // `\zeta(\nabla\cdot\mathbf u)`, `\psi(\hat a + \hat b)`: what an operator makes, or operators, are factors.
     let is_operator = |item: &Item| {
         item.layout == Layout::Command("\\nabla".to_owned())
@@ -119,7 +122,10 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
         _ => is_place(item),
     });
     let is_kronecker = ["\\delta", "\\Gamma"].contains(&base) && name.subscript.len() > 1;
-    let is_known = always.contains(&base) && !is_rate && !is_kronecker || is_legendre || base.starts_with("\\mathcal{");
+    let is_known = always.contains(&base) && !is_rate && !is_kronecker
+        || is_legendre
+        || is_spherical
+        || base.starts_with("\\mathcal{");
     // U_0 is the value of U at a place, and a factor: `U_0(1 - x/a)`, `V_0(x - a)^2`.
     let is_value = name.subscript == ["0"];
     is_known && name.primes == 0

@@ -18,7 +18,7 @@ const PRODUCTS: [&str; 7] = ["\\otimes", "\\circ", "\\ast", "\\star", "\\odot", 
 const SUMS: [&str; 5] = ["\\oplus", "\\cup", "\\cap", "\\setminus", "\\ominus"];
 
 /// Signs that bind less than a sum, and state something of both sides.
-const RELATIONS: [&str; 32] = [
+const RELATIONS: [&str; 33] = [
     "\\in",
     "\\notin",
     "\\ni",
@@ -34,6 +34,7 @@ const RELATIONS: [&str; 32] = [
     "\\leftrightarrow",
     "\\mapsto",
     "\\longrightarrow",
+    "\\longleftarrow",
     "\\longmapsto",
     "\\longleftrightarrow",
     "\\perp",

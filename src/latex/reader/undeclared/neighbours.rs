@@ -71,6 +71,14 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(span, "this may be the second variation or a product with δ²")
                 .help("for a product, write \\cdot"));
         }
+        let is_operator = |item: &Item| {
+            matches!(&item.layout, Layout::Fence(Delimiter::Square, inside)
+                if matches!(inside.as_slice(), [only] if has_hat(only)))
+        };
+        if touches && is_operator(before) && is_operator(item) {
+            return Err(Fault::ambiguous(span, "a name in brackets after brackets may be an argument or a factor")
+                .help("write one of them in parentheses"));
+        }
         if touches && is_step_in_brackets(before) && is_step_in_brackets(item) {
             return Err(
                 Fault::unsupported(span, "two steps in brackets are not supported").help("write them as x_{jk}")
@@ -248,6 +256,10 @@ fn is_nonzero_number(item: &Item) -> bool {
         Layout::Scripts { nucleus, .. } => is_nonzero_number(nucleus),
         _ => is_lone_number(item),
     }
+}
+
+fn has_hat(item: &Item) -> bool {
+    names::printed(item, None).is_some_and(|found| found.name.base.starts_with("\\hat{") && found.sup.is_none())
 }
 
 /// Whether an item is a capital with a hat, an operator: `\hat R_z`.
