@@ -81,6 +81,8 @@ mod unaided_chains;
 mod unaided_contradictions;
 #[path = "cli/unaided_differentials.rs"]
 mod unaided_differentials;
+#[path = "cli/unaided_lagrangians.rs"]
+mod unaided_lagrangians;
 #[path = "cli/unaided_letters.rs"]
 mod unaided_letters;
 #[path = "cli/unaided_ordered.rs"]

@@ -5,7 +5,8 @@ use crate::notes::{Claims, Notes};
 use crate::parallel::on_deep_stacks;
 use crate::systems::Registry;
 
-use crate::check::document::setup::Run;
+use crate::check::document::inferred::open_energies;
+use crate::check::document::setup::{Run, without_open_energies};
 use crate::check::prose_claims;
 use crate::check::sample::context::Options;
 use crate::check::unaided::guessed;
@@ -32,7 +33,12 @@ pub fn check_document(
 pub fn check_claims(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
     match claims.guesses {
         Some(_) => guessed(run, claims, notes),
-        None => Ok(with_untested_definitions(prose_claims::checked(run, claims, notes)?)),
+        None => {
+            let read = without_open_energies(claims, notes);
+            let mut document = with_untested_definitions(prose_claims::checked(run, claims, &read)?);
+            document.inferred.extend(open_energies::left_out(notes, &read));
+            Ok(document)
+        }
     }
 }
 

@@ -282,7 +282,16 @@ fn define_unknown_members(
         let Some(found) = &unknown[at] else { continue };
         // The first member is defined by what follows, the others by what stands before them.
         let source = match at {
-            0 => (1..unknown.len()).take_while(|next| defining[*next]).find_map(|next| read[next].clone()),
+            0 => {
+                let members: Vec<&(Expr, Type)> = (1..unknown.len())
+                    .take_while(|next| defining[*next])
+                    .filter_map(|next| read[next].as_ref())
+                    .collect();
+                // `L = T - V = \frac12 m\dot x^2 - …`: where nothing says what T and V are, the formula with the rates does.
+                let moves =
+                    members.iter().find(|(member, _)| has_rates(member, symbols) && !has_open_energy(member, symbols));
+                moves.or(members.first()).map(|found| (*found).clone())
+            }
             _ => read[at - 1].clone(),
         };
         let Some((source, of_source)) = source else { return Err(found.undeclared(symbols)) };
@@ -306,6 +315,22 @@ fn define_unknown_members(
         read[at] = Some((expr, of_member));
     }
     Ok(news)
+}
+
+/// Whether a rate stands in a formula, or in the formula of a name in it.
+fn has_rates(formula: &Expr, symbols: &Symbols) -> bool {
+    formula.symbols().iter().any(|(id, dots)| {
+        *dots > 0 || symbols.entry(*id).definition.as_ref().is_some_and(|formula| has_rates(formula, symbols))
+    })
+}
+
+/// Whether an energy stands in a formula of which nothing says how it varies.
+fn has_open_energy(formula: &Expr, symbols: &Symbols) -> bool {
+    formula.symbols().iter().any(|(id, _)| {
+        let entry = symbols.entry(*id);
+        let is_energy = ["T", "V", "U", "K"].contains(&entry.name.base.as_str()) && entry.name.subscript.is_empty();
+        is_energy && entry.definition.is_none() && !entry.varies && entry.arguments.is_empty()
+    })
 }
 
 /// Rejects neighbours whose shapes cannot be compared, and an order between what is no number.

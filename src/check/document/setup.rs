@@ -1,9 +1,11 @@
 //! The set-up of a document: options of a run, claims assigned to displays, and the [`Checker`] made of them.
 
+use std::borrow::Cow;
 use std::sync::{Arc, LazyLock};
 
 use crate::code::Code;
-use crate::latex::Macros;
+use crate::formula::symbols::Name;
+use crate::latex::{Macros, name_search};
 use crate::notes::address::{Address, Item, Point};
 use crate::notes::claims::{Claim, Claims};
 use crate::notes::{Display, Form, MacroDefinition, Notes};
@@ -174,4 +176,17 @@ pub(crate) fn whole_only(claims: &Claims, address: &Address, claim: &Claim) -> R
 /// Whether a point names a row, a part or a step of a display.
 fn is_partial(point: &Point) -> bool {
     point.row.or(point.part).or(point.step).is_some()
+}
+
+/// The notes without T − V in `L = T - V = …`, where the claims file does not say what T and V are.
+pub(crate) fn without_open_energies<'n>(claims: &Claims, notes: &'n Notes) -> Cow<'n, Notes> {
+    let mut macros = Macros::default();
+    define_macros(&notes.macros, &mut macros);
+    let declared = claims.declarations.iter().map(|declaration| &declaration.name);
+    let named: Vec<&str> = declared
+        .chain(claims.means.iter().chain(&claims.define).map(|(name, _)| name))
+        .map(|name| name.value.as_str())
+        .collect();
+    let is_declared = |name: &Name| named.iter().any(|known| name_search::same(known, &name.to_string()));
+    inferred::open_energies::without_names(notes, &macros, &is_declared)
 }

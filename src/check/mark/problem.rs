@@ -8,7 +8,7 @@ use crate::notes::{Display, Notes, Numbered};
 use crate::source::Span;
 use crate::{Error, Result};
 
-use crate::check::document::setup::{Run, assign, with_checker};
+use crate::check::document::setup::{Run, assign, with_checker, without_open_energies};
 use crate::check::prose_claims;
 use crate::check::run::check_in;
 use crate::check::sample::context::Options;
@@ -71,7 +71,7 @@ impl Problem {
                 wanted.push(Wanted { display, id, name: result.name.clone(), points: result.points });
             }
         }
-        let notes = &numbered(notes);
+        let notes = &numbered(&without_open_energies(claims, notes));
         let mut claims = by_number(claims, notes)?;
         (claims.sentences, claims.steps) = (Vec::new(), Vec::new());
         claims = prose_claims::with_passing(run, &claims, notes);

@@ -44,7 +44,8 @@ use std::sync::Arc;
 #[cfg(feature = "cli")]
 use crate::Error;
 use crate::Result;
-use crate::check::document::setup::{Run, define_macros, with_checker};
+use crate::check::document::inferred::open_energies;
+use crate::check::document::setup::{Run, define_macros, with_checker, without_open_energies};
 use crate::check::prose_claims;
 use crate::check::run::check_in;
 use crate::check::unaided::course::Judged;
@@ -67,7 +68,10 @@ use guess::{inference, scopes};
 /// When no claims file makes sense of the notes.
 #[cfg(feature = "cli")]
 pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
-    let (mut equations, inferred) = by_scopes(run, notes, None)?;
+    let (mut equations, mut inferred) = by_scopes(run, notes, None)?;
+    let mut macros = Macros::default();
+    define_macros(&notes.macros, &mut macros);
+    inferred.extend(open_energies::left_out(notes, &open_energies::without_names(notes, &macros, &|_| false)));
     consequences::excused(notes, &mut equations, &|edited| Ok(by_scopes(run, edited, None)?.0))?;
     Ok(Document { claims: None, ..document(run, &with_ids(notes), (equations, Vec::new(), inferred)) })
 }
@@ -122,7 +126,7 @@ pub fn system_of(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Option
             let notes = with_ids(notes);
             traced(run, &prose_claims::with_guesses(run, claims, &notes), &notes)
         }
-        None => traced(run, claims, notes),
+        None => traced(run, claims, &without_open_energies(claims, notes)),
     }
 }
 
@@ -295,9 +299,9 @@ fn taken_from_sentences(notes: &Notes, equations: &mut Vec<Equation>) -> Vec<Str
 /// The notes, in which each statement of a display without a number is a display of its own, each display without a number
 /// has the name `L` and its line, and no number is there twice.
 fn with_ids(notes: &Notes) -> Notes {
-    let mut notes = notes.clone();
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
+    let mut notes = open_energies::without_names(notes, &macros, &|_| false).into_owned();
     if !complex::are_spoken_of(&notes) {
         notes.equations.iter_mut().for_each(|display| display.text = complex::without_stars(&display.text));
     }

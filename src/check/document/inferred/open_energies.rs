@@ -1,11 +1,15 @@
 //! Energies whose formulas the notes do not print: `L = T - V` before L itself has a formula.
 //!
 //! Such a display names L and says nothing of it. With T and V as constants, every derivative of L would be 0. So another display
-//! defines L, if there is one.
+//! defines L, if there is one. In a chain, `L = T - V = \frac12 m\dot x^2 - …`, the names are left out.
+
+use std::borrow::Cow;
 
 use crate::formula::symbols::Name;
 use crate::latex::layout::{Item, Layout, typeset_items};
 use crate::latex::{Macros, names};
+use crate::notes::Notes;
+use crate::source::Span;
 
 /// The letters of energies.
 const ENERGIES: [&str; 13] =
@@ -28,12 +32,56 @@ pub(crate) fn only_named<'t>(texts: impl Iterator<Item = &'t str>, macros: &Macr
     open.map(|(at, _)| at).collect()
 }
 
+/// The notes, in which each chain `L = T - V = …` is `L = …`, if no display or sentence has a formula for T or V and nothing declares
+/// them: T and V say nothing there.
+pub(crate) fn without_names<'n>(
+    notes: &'n Notes,
+    macros: &Macros,
+    is_declared: &dyn Fn(&Name) -> bool,
+) -> Cow<'n, Notes> {
+    if !notes.equations.iter().any(|display| display.text.matches('=').count() > 1) {
+        return Cow::Borrowed(notes);
+    }
+    let read: Vec<Option<Sum>> = notes.equations.iter().map(|display| Sum::of(&display.text, macros)).collect();
+    let sentences = notes.inline.iter().filter_map(|span| {
+        let text = notes.source.slice(*span).trim_matches('$');
+        Sum::of(text, macros).map(|sum| sum.of)
+    });
+    let given: Vec<Name> = read.iter().flatten().map(|sum| sum.of.clone()).chain(sentences).collect();
+    let is_open = |name: &Name| is_energy(name) && !given.contains(name) && !is_declared(name);
+    let mut found = Cow::Borrowed(notes);
+    for (at, sum) in read.iter().enumerate() {
+        let named = sum.as_ref().filter(|sum| is_energy(&sum.of)).and_then(|sum| sum.named.as_ref());
+        let Some((names, span)) = named else { continue };
+        if names.iter().all(is_open) {
+            found.to_mut().equations[at].text.replace_range(span.range(), &" ".repeat(span.end - span.start));
+        }
+    }
+    found
+}
+
+/// What was left out of each display, in words.
+pub(crate) fn left_out(printed: &Notes, read: &Notes) -> Vec<String> {
+    let pairs = printed.equations.iter().zip(&read.equations).filter(|(before, after)| before.text != after.text);
+    let said = pairs.filter_map(|(before, after)| {
+        let start = before.text.bytes().zip(after.text.bytes()).position(|(a, b)| a != b)?;
+        let end = before.text.bytes().zip(after.text.bytes()).rposition(|(a, b)| a != b)? + 1;
+        let names = before.text.get(start..end)?.trim_matches(['=', '&', ' ', '\\', '\n']);
+        let shown = before.id().map_or_else(|| format!("line {}", before.line), |id| format!("({id})"));
+        Some(format!("{names} in {shown} was left out, because no display says what these energies are"))
+    });
+    said.collect()
+}
+
 /// A display that begins with a name and a relation.
 struct Sum {
     /// The name.
     of: Name,
     /// The names of which the other side is the sum, if it is nothing else.
     terms: Option<Vec<Name>>,
+    /// The names of which the member before a second relation is the sum, if it is nothing else, with its place and that of the relation
+    /// before it.
+    named: Option<(Vec<Name>, Span)>,
 }
 
 impl Sum {
@@ -59,6 +107,14 @@ impl Sum {
             [only] => plain(only),
             _ => None,
         });
-        Some(Sum { of, terms: terms.collect() })
+        let named = rest.iter().position(|item| matches!(item.layout, Layout::Other('='))).and_then(|end| {
+            let names = rest[..end].split(is_sign).map(|term| match term {
+                [only] => plain(only),
+                _ => None,
+            });
+            let names: Vec<Name> = names.collect::<Option<_>>()?;
+            (names.len() > 1).then(|| (names, Span::new(equals.span.start, rest[end].span.start)))
+        });
+        Some(Sum { of, terms: terms.collect(), named })
     }
 }

@@ -370,7 +370,8 @@ impl Course<'_, '_> {
     fn introduced(&self, at: usize) -> Option<String> {
         let [Ok(statement)] = self.checker.readings[at].statements.as_slice() else { return None };
         let [first, _] = statement.members.as_slice() else { return None };
-        let id = first.as_plain_symbol().filter(|id| !self.seen.contains_key(id))?;
+        let is_new = |id: &SymbolId| !self.seen.contains_key(id) && !gate::is_derivative(*id, self.checker.model);
+        let id = first.as_plain_symbol().filter(is_new)?;
         Some(text::plain(&self.checker.model.name(id)))
     }
 

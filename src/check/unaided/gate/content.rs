@@ -2,7 +2,7 @@
 
 use crate::check::model::Model;
 use crate::check::model::meaning::Meaning;
-use crate::formula::{Expr, Node, Sign, Symbols, text};
+use crate::formula::{Expr, Node, Sign, SymbolId, Symbols, text};
 
 /// The fewest symbols, each as often as it stands there, of a correction that is no triviality.
 pub(super) const FEWEST_SYMBOLS: usize = 4;
@@ -40,13 +40,22 @@ pub(super) fn occurrences(formula: &Expr, model: &Model) -> usize {
     let mut count = 0;
     formula.walk(&mut |part| {
         count += match &part.node {
-            Node::Symbol { id, .. } if matches!(model.meaning(*id), Some(Meaning::Defined(_))) => 2,
+            Node::Symbol { id, .. } if stands_for_a_formula(*id, model) => 2,
             Node::Definite(_) => 2,
             Node::Symbol { .. } | Node::Letter(_) | Node::Call(..) => 1,
             _ => 0,
         }
     });
     count
+}
+
+/// Whether a name has a formula: a defined name, a momentum, or a derivative of what has one.
+fn stands_for_a_formula(id: SymbolId, model: &Model) -> bool {
+    // An edit may bring in a name that the model does not have.
+    let is_known = id.0 < model.symbols.len();
+    matches!(model.meaning(id), Some(Meaning::Defined(_)))
+        || is_known && model.symbols.entry(id).momentum
+        || is_known && super::is_derivative(id, model)
 }
 
 /// The number of symbols, functions, roots and fractions in a formula.

@@ -103,11 +103,18 @@ fn may_be(statement: &Statement, model: &Model, basis: Basis, words: &Words) -> 
     })
 }
 
-/// Whether a formula is the name of a quantity that the Lagrangian determines, such as a frequency of small oscillations.
+/// Whether a formula is the name of a quantity that the Lagrangian determines, such as a frequency of small oscillations, or a derivative
+/// of what has a formula, `\partial L/\partial x`.
 fn is_derived(formula: &Expr, model: &Model) -> bool {
-    formula
-        .as_plain_symbol()
-        .is_some_and(|id| matches!(model.meaning(id), Some(Meaning::System(_))) || is_frequency(id, model))
+    formula.as_plain_symbol().is_some_and(|id| {
+        is_derivative(id, model) || matches!(model.meaning(id), Some(Meaning::System(_))) || is_frequency(id, model)
+    })
+}
+
+/// Whether a name is a derivative of what the notes have a formula for, where a Lagrangian is known: `\partial L/\partial x`.
+pub(super) fn is_derivative(id: SymbolId, model: &Model) -> bool {
+    let is_known = id.0 < model.symbols.len();
+    model.system.is_some() && is_known && model.symbols.entry(id).name.base.starts_with("\\frac{\\partial")
 }
 
 /// Whether a name is that of a frequency or a period of small oscillations.
