@@ -149,6 +149,8 @@ pub struct Inferred {
     pub has_operators: bool,
     /// Whether i is a factor that must be √−1, whatever it is elsewhere.
     pub imaginary_factor: bool,
+    /// Whether i is an index somewhere in the display, and nothing shows that it is √−1.
+    pub i_is_index: bool,
     /// Whether e is a charge: it stands beside ħ, ε₀ or c, and never has an exponent of letters.
     pub charge: bool,
     /// Whether states of quantum mechanics stand in the display, beside which i is √−1.

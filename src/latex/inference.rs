@@ -23,7 +23,7 @@ use super::arguments::{
 use super::layout::{Delimiter, Item, Layout};
 use super::names;
 use super::primed_names;
-use super::reader::items::{differential, is_integral, is_minus_one, is_transpose, whole_number};
+use super::reader::items::{contents, differential, is_integral, is_minus_one, is_transpose, whole_number};
 use super::reader::structure;
 use super::reader::undeclared::coefficient_d;
 use super::rows::relation;
@@ -296,6 +296,25 @@ impl Evidence {
             let inside =
                 inside.iter().filter_map(|item| names::printed(item, None)).map(|found| found.name.to_string());
             self.possible.push((name.clone(), is_usual, inside.collect()));
+        }
+        // `m(\ddot x)`: an acceleration is no argument. `\gamma(c, v)`, `E(1, 0, 0, 1)`: a factor of a list of components.
+        let is_acceleration =
+            matches!(inside, [only] if names::printed(only, None).is_some_and(|found| found.dots > 1));
+        let numbers = inside.split(is_comma).filter(|part| matches!(part, [only] if is_number(only))).count();
+        let is_circular = |part: &[Item]| {
+            part.iter().any(|item| matches!(&item.layout, Layout::Command(name) if name == "\\cos" || name == "\\sin"))
+        };
+        let is_tuple = inside.iter().any(is_comma)
+            && (name.base == "\\gamma"
+                || numbers > 2
+                || inside.split(is_comma).filter(|part| is_circular(part)).count() > 1);
+        // `\psi^* (T + V) \psi`
+        let is_star = |sup: &Item| contents(sup).iter().any(|item| item.layout == Layout::Other('*'));
+        let is_wave = ["\\psi", "\\Psi", "\\phi", "\\varphi"].contains(&name.base.as_str());
+        let is_of_states =
+            is_wave && found.sup.is_some_and(is_star) && inside.len() > 1 && !inside.iter().any(is_comma);
+        if is_acceleration || is_tuple || is_of_states {
+            return;
         }
         // `\Gamma(a^\dagger b + b^\dagger a)`
         if has_dagger(inside) {

@@ -158,8 +158,11 @@ fn is_system(name: &str, rows: &[Vec<Vec<Item>>]) -> bool {
         let first = cell.iter().find(|item| !matches!(item.layout, Layout::Space(_)));
         first.is_some_and(|item| relation(item).is_some())
     };
+    // `x = 0 & t = 0`: the second column is a condition, or a second equation.
+    let has_second = |row: &Vec<Vec<Item>>| row.get(1).is_some_and(|cell| has_relation(cell) && !begins(cell));
     let is_equation = |row: &Vec<Vec<Item>>| {
-        row.first().is_some_and(|cell| has_relation(before_condition(cell))) || row.get(1).is_some_and(begins)
+        row.first().is_some_and(|cell| has_relation(before_condition(cell))) && !has_second(row)
+            || row.get(1).is_some_and(begins)
     };
     matches!(name.trim_end_matches('*'), "cases" | "dcases" | "rcases")
         && !rows.is_empty()
@@ -179,10 +182,15 @@ fn is_blank(cell: &[&Item]) -> bool {
 /// The cells of a row one after the other, with a break before each column of equations but the first.
 fn side_by_side<'a>(cells: &[Vec<&'a Item>]) -> Vec<&'a Item> {
     let mut items: Vec<&'a Item> = Vec::new();
+    let is_relation = |item: &&Item| relation(item).is_some();
     for (at, cell) in cells.iter().enumerate() {
         let joins = |item: Option<&&Item>| item.is_some_and(|item| relation(item).is_some() || is_operator(item));
         let goes_on = joins(items.iter().rev().find(is_significant)) || joins(cell.iter().find(is_significant));
-        if at > 0 && at % 2 == 0 && !is_blank(cell) && !goes_on {
+        // `a = b & c = d`: each column is an equation.
+        let since = items.iter().rposition(|item| std::ptr::eq(*item, &COLUMN)).map_or(0, |column| column + 1);
+        let is_second =
+            items[since..].iter().any(|item| is_relation(item)) && cell.iter().any(|item| is_relation(item));
+        if at > 0 && (at % 2 == 0 || is_second) && !is_blank(cell) && !goes_on {
             items.push(&COLUMN);
         }
         items.extend(cell);

@@ -13,7 +13,7 @@ use crate::source::{Fault, Span};
 use super::definitions::{DefinedSymbol, New, Place, Unknown};
 use super::inference::infer;
 use super::layout::rest::has_rest;
-use super::layout::{Item, Layout, typeset_items};
+use super::layout::{Delimiter, Item, Layout, typeset_items};
 use super::macros::Macros;
 use super::names;
 use super::pieces::{Piece, Printed, pieces, without_ranges};
@@ -128,6 +128,10 @@ fn has_branch(item: &&Item) -> bool {
     fn inside(item: &Item) -> bool {
         match &item.layout {
             Layout::Command(name) => name == "\\pm" || name == "\\mp",
+            // `\{0, \pm 1\}` is one set.
+            Layout::Fence(Delimiter::Curly, items) if items.iter().any(|item| item.layout == Layout::Other(',')) => {
+                false
+            }
             Layout::Group(items) | Layout::Fence(_, items) => items.iter().any(inside),
             Layout::Fraction(a, b) => inside(a) || inside(b),
             Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => inside(a),

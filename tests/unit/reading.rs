@@ -5,6 +5,8 @@
 mod algebra;
 #[path = "reading/alternatives.rs"]
 mod alternatives;
+#[path = "reading/apart.rs"]
+mod apart;
 #[path = "reading/derivatives.rs"]
 mod derivatives;
 #[path = "reading/derived.rs"]

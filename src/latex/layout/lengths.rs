@@ -107,6 +107,7 @@ fn length(tokens: &[Token]) -> Option<(f64, usize)> {
         "ex" => 0.45,
         "mu" => 1.0 / 18.0,
         "pt" => 0.1,
+        "px" => 0.075,
         "bp" => 0.1,
         "pc" => 1.2,
         "mm" => 0.285,

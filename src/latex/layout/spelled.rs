@@ -202,14 +202,14 @@ fn begins_argument(token: &Token) -> bool {
 
 /// Names of several letters that are products nowhere: energies, errors, heating values. `F = Ma`, `\tau = Fr` and `BIL = mg` are
 /// products.
-const NAMES: [&str; 44] = [
+const NAMES: [&str; 47] = [
     "KE", "PE", "GPE", "EPE", "COP", "NTU", "SNR", "RMS", "EMF", "MSE", "RMSE", "LHV", "HHV", "LCV", "HCV", "ESS",
     "GBW", "GBP", "BER", "RPM", "PSF", "MTF", "OTF", "BMI", "FOM", "SPL", "PSD", "PRF", "SAR", "VSWR", "MTBF", "LCOE",
-    "RCS", "THD", "SINR", "SFDR", "FWHM", "EIRP", "ENBW", "DOF", "ITAE", "IAE", "ISE", "MAE",
+    "RCS", "THD", "SINR", "SFDR", "FWHM", "EIRP", "ENBW", "DOF", "ITAE", "IAE", "ISE", "MAE", "OPD", "IMA", "NPSH",
 ];
 
 /// Numbers without a unit, which are names where one of them is a whole left side: `Re = \rho v D/\mu`.
-const NUMBERS: [&str; 5] = ["Re", "Nu", "NA", "QE", "RH"];
+const NUMBERS: [&str; 9] = ["Re", "Nu", "NA", "QE", "RH", "AR", "MA", "TE", "VR"];
 
 /// The same tokens, where such letters are one upright name, if they are a term of their own anywhere.
 pub(super) fn with_names(tokens: Vec<Token>) -> Vec<Token> {

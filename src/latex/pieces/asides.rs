@@ -17,6 +17,8 @@ pub(super) fn opened(items: Vec<&Item>) -> Vec<&Item> {
                 found.extend(inside);
                 found.push(&COLUMN);
             }
+            // `(\because c = d)`
+            Layout::Fence(Delimiter::Round, inside) if is_apart && gives_a_reason(inside) => found.push(&COLUMN),
             Layout::Fence(Delimiter::Round, inside)
                 if is_worded(inside) && (is_apart || inside.iter().any(begins_condition)) =>
             {
@@ -29,6 +31,11 @@ pub(super) fn opened(items: Vec<&Item>) -> Vec<&Item> {
         }
     }
     found
+}
+
+fn gives_a_reason(inside: &[Item]) -> bool {
+    let first = inside.iter().find(|item| !matches!(item.layout, Layout::Space(_)));
+    first.is_some_and(|first| matches!(&first.layout, Layout::Command(name) if name == "\\because"))
 }
 
 /// Whether words stand before a relation between formulas: `\text{valid for } x > 3`.

@@ -73,6 +73,18 @@ impl Piece<'_> {
             _ => false,
         };
         let [first, middle @ .., _] = self.links.as_slice() else { return None };
+        // `a = b ~~ c = d`: two spaces between two factors, each of which is beside a relation.
+        let double = middle.iter().find_map(|link| {
+            let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
+            let at = link.items.windows(2).position(|pair| is_space(pair[0]) && is_space(pair[1]))?;
+            let ends = |item: Option<&&Item>| item.is_some_and(|item| !is_operator(item));
+            let before = link.items[..at].iter().rev().find(is_significant);
+            let after = link.items[at..].iter().find(is_significant);
+            (ends(before) && ends(after)).then(|| link.items[at].span)
+        });
+        if double.is_some() {
+            return double;
+        }
         let left: Vec<&Item> = first.items.iter().copied().filter(|item| is_significant(&item)).collect();
         middle.iter().filter(|_| is_application(&left)).find_map(|link| {
             let end = link.items.iter().rposition(|item| is_significant(&item)).map_or(0, |last| last + 1);

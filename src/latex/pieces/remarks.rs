@@ -15,10 +15,17 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
         const LONG: usize = 10;
         let is_phrase = |item: &Item| matches!(&item.layout, Layout::Text(word) if !is_unit(word) && (word.len() >= LONG || is_prose(word)));
         let is_apart = at > 0 && matches!(items[at - 1].layout, Layout::Space(_));
-        // `U = -\frac{k}{r} \; (\text{general})`
+        // `U = -\frac{k}{r} \; (\text{general})`, `(\mathrm{linear})`
+        let is_word = |word: &str| word.len() > 2 && word.chars().all(char::is_alphabetic) && !is_unit(word);
         let is_note = is_aside(items, at)
-            && matches!(inside.as_slice(), [Item { layout: Layout::Text(word), .. }]
-                if word.len() > 2 && word.chars().all(char::is_alphabetic) && !is_unit(word));
+            && match inside.as_slice() {
+                [Item { layout: Layout::Text(word), .. }] => is_word(word),
+                [Item { layout: Layout::Style(style, inner), .. }] if style == "\\mathrm" => {
+                    let word = latex(contents(inner)).replace("\\,", "");
+                    word.len() > 3 && is_word(&word)
+                }
+                _ => false,
+            };
         return is_apart && (is_note || inside.iter().any(is_phrase));
     }
     let word = match &items[at].layout {

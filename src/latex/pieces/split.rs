@@ -5,7 +5,7 @@ use crate::source::Fault;
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::lexer::Space;
-use super::super::rows::{Row, is_operator, is_significant, relation};
+use super::super::rows::{Row, is_operator, is_sign, is_significant, relation};
 use super::alternatives::{alternatives, are_open};
 use super::asides;
 use super::conditions::{begins_condition, ends_condition, is_comparison, is_pause};
@@ -101,6 +101,18 @@ impl<'a> Splitter<'a, '_> {
     /// Ends the current statement.
     fn end(&mut self) {
         let Some(mut piece) = self.current.take() else { return };
+        // `F = -kx \quad \text{(spring)} - bv`
+        let is_beside = self.pieces.last().is_some_and(|before| before.row == piece.row);
+        if let [Link { relation: None, items, .. }] = piece.links.as_slice()
+            && is_beside
+            && piece.comma.is_none()
+            && !piece.has_sign()
+            && let Some(first) = begins_with_a_sign(items)
+        {
+            let what = "this term stands apart from its equation";
+            let fault = Fault::unsupported(first.span, what).help("leave out the space or the words before it");
+            piece.fault.get_or_insert(fault);
+        }
         if let Some(space) = piece.unclear_space() {
             let what = "this space may stand between two factors or between two statements";
             let fault = Fault::ambiguous(space, what).help("write \\cdot for a product, or \\quad between statements");
@@ -264,7 +276,11 @@ impl<'a> Splitter<'a, '_> {
             .find(|next| !matches!(next.layout, Layout::Space(_)))
             .is_some_and(|next| relation(next).is_some());
         // `\min_x \quad f(x)`, `a = \quad b`: what follows belongs to it.
-        let goes_on = self.current.as_ref().is_some_and(|piece| piece.is_an_extremum() || piece.ends_with_a_relation());
+        let goes_on = self.current.as_ref().is_some_and(|piece| {
+            piece.is_an_extremum()
+                || piece.ends_with_a_relation()
+                || piece.links.len() > 1 && is_a_further_term(items, at)
+        });
         if !(self.is_wide() && (relation_follows || goes_on)) {
             let ends = self.current.is_some();
             self.is_inserted = self.is_wide() && (ends || self.is_inserted);
@@ -360,6 +376,23 @@ impl<'a> Splitter<'a, '_> {
         }
         self.starts_row = false;
     }
+}
+
+/// The sign at the beginning of some items, after a remark perhaps: `\text{(spring)} - bv`.
+fn begins_with_a_sign<'a>(items: &[&'a Item]) -> Option<&'a Item> {
+    let mut solid = items.iter().filter(is_significant);
+    let first = *solid.next()?;
+    let sign = if matches!(first.layout, Layout::Text(_)) { *solid.next()? } else { first };
+    is_sign(sign).then_some(sign)
+}
+
+/// Whether a term with its sign follows a space, and no relation up to the next separator: `x = a \quad + b`.
+fn is_a_further_term(items: &[&Item], at: usize) -> bool {
+    let rest = &items[at + 1..];
+    let Some(first) = rest.iter().position(|item| !matches!(item.layout, Layout::Space(_))) else { return false };
+    let end = rest[first..].iter().position(|item| separates(item)).map_or(rest.len(), |end| first + end);
+    let is_sign = matches!(rest[first].layout, Layout::Other('+' | '-'));
+    is_sign && end > first + 1 && !rest[first..end].iter().any(|item| relation(item).is_some())
 }
 
 /// Alternatives as one part. Where the first of them is in the row before, that row is none of its own either.

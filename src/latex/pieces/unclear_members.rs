@@ -1,6 +1,7 @@
 //! Members of a statement that have two meanings, where only their structure is read.
 
 use crate::formula::symbols::Name;
+use crate::formula::tree::Relation;
 use crate::source::Fault;
 
 use super::super::layout::{Item, Layout};
@@ -13,6 +14,9 @@ use super::piece::{Link, Piece};
 /// What stands behind the `d` of a differential stands elsewhere in the display too: `u = x^2, \quad w = du`.
 pub(super) fn unclear_member(pieces: &[Piece<'_>], at: usize) -> Option<Fault> {
     let piece = &pieces[at];
+    if let Some(fault) = legend(piece).or_else(|| mean_value(piece)) {
+        return Some(fault);
+    }
     if piece.links.len() < 2 {
         return None;
     }
@@ -30,6 +34,33 @@ pub(super) fn unclear_member(pieces: &[Piece<'_>], at: usize) -> Option<Fault> {
     is_alone.then(|| {
         Fault::ambiguous(span, "the d may begin a differential or be a factor, since no other side has a differential")
             .help("write \\mathrm{d} for a differential, and \\cdot after the factor d")
+    })
+}
+
+/// The fault of letters with their meanings behind a brace: `\begin{cases} x & \text{position} \\ …`.
+fn legend(piece: &Piece<'_>) -> Option<Fault> {
+    let [link] = piece.links.as_slice() else { return None };
+    let [only] = link.items.iter().filter(is_solid).copied().collect::<Vec<_>>()[..] else { return None };
+    let Layout::Environment(_, rows) = &only.layout else { return None };
+    let is_text = |cell: &Vec<Item>| {
+        let mut solid = cell.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+        solid.next().is_some_and(|first| matches!(first.layout, Layout::Text(_))) && solid.next().is_none()
+    };
+    let is_legend = rows.len() > 1 && rows.iter().all(|row| row.len() == 2 && row.iter().any(is_text));
+    is_legend
+        .then(|| Fault::unsupported(only.span, "a list of names with words is not supported").help("write it as text"))
+}
+
+/// The fault of `<x> = …`: < and > before and after a formula are the brackets of a mean value.
+fn mean_value(piece: &Piece<'_>) -> Option<Fault> {
+    let relation = |link: &Link<'_>| link.relation.map(|(relation, _)| relation);
+    let less = piece.links.iter().position(|link| relation(link) == Some(Relation::Less))?;
+    let greater = piece.links.iter().position(|link| relation(link) == Some(Relation::Greater))?;
+    let is_empty = |at: usize| !piece.links[at].items.iter().any(|item| is_solid(&item));
+    let opens = less.checked_sub(1).is_none_or(is_empty);
+    (less < greater && (opens || is_empty(greater))).then(|| {
+        Fault::ambiguous(piece.span(), "< and > may be brackets or relations")
+            .help("write \\langle and \\rangle for the brackets of a mean value")
     })
 }
 

@@ -22,6 +22,7 @@ pub fn note(items: &[Item], symbols: &mut Symbols) {
     let is_direction = has_upright(items, 'i') && has_upright(items, 'j');
     symbols.imaginary_here = !is_direction && has_imaginary_unit(items);
     symbols.inferred.imaginary_factor = !is_direction && is_evident(items);
+    symbols.inferred.i_is_index = !symbols.imaginary_here && is_index(items);
     symbols.imaginary_j_here = engineering::is_imaginary(items) && !symbols.imaginary_here;
     if !symbols.open {
         return;

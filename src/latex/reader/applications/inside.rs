@@ -115,10 +115,23 @@ pub(super) fn is_step_function(entry: &Entry, inside: &[Item]) -> bool {
     is_step && minus.layout == Layout::Other('-') && base(first).is_some() && base(first) == base(second)
 }
 
-/// Whether ∇ stands in a parenthesis: what it makes of a field is no argument of a letter.
+/// Whether a name may stand in its own argument, `f(f(x))`. A volume, a pressure or an energy does not.
+pub(super) fn may_contain_itself(entry: &Entry) -> bool {
+    is_function(entry) && !["V", "P", "U", "W"].contains(&entry.name.base.as_str())
+}
+
+/// Whether ∇, or a derivative of nothing, stands in a parenthesis: an operator, or what it makes of a field, is no argument of a letter.
 pub(super) fn has_nabla<'i>(inside: impl IntoIterator<Item = &'i Item>) -> bool {
+    let is_d = |item: &Item| {
+        differential(item).is_some() || matches!(&item.layout, Layout::Command(name) if name == "\\partial")
+    };
+    let is_bare = |above: &Item| match contents(above) {
+        [only] => is_d(only) || matches!(&only.layout, Layout::Scripts { nucleus, .. } if is_d(nucleus)),
+        _ => false,
+    };
     inside.into_iter().any(|item| match &item.layout {
         Layout::Command(name) => name == "\\nabla",
+        Layout::Fraction(above, below) => is_bare(above) && starts_differential(below),
         Layout::Scripts { nucleus, .. } => has_nabla([&**nucleus]),
         Layout::Group(items) | Layout::Fence(_, items) => has_nabla(items),
         _ => false,

@@ -19,6 +19,7 @@
 //!
 //! Offers `applied` and `is_no_value`, methods of the reader. Knows the layout, the names and the state of the reader.
 
+mod factors;
 mod inside;
 
 use crate::formula::SymbolId;
@@ -34,7 +35,7 @@ use super::state::{Read, Reader};
 pub(super) use inside::are_names;
 use inside::{
     FIELDS, has_nabla, has_rate, is_fractional, is_function, is_product_of_vectors, is_step_function, is_value,
-    is_zero, may_be_an_argument, mentions, parenthesis, relation_or_comma,
+    is_zero, may_be_an_argument, may_contain_itself, mentions, parenthesis, relation_or_comma,
 };
 
 impl Reader<'_> {
@@ -48,6 +49,13 @@ impl Reader<'_> {
         cursor: &mut usize,
     ) -> Read<Expr> {
         let span = expr.span;
+        // `\psi^* (T + V) \psi`
+        if self.is_abstract() && sup.is_some() && self.is_between_states(id, items, *cursor) {
+            return match sup {
+                Some(sup) => self.raised(expr, sup, span),
+                None => Ok(expr),
+            };
+        }
         if self.is_abstract()
             && let Some(found) = self.applied_as_printed(&expr, id, sup, items, cursor)?
         {
@@ -133,9 +141,13 @@ impl Reader<'_> {
             || has_indices
             || is_bracketed
             || sup.is_some_and(super::items::is_transpose) && !is_call
-            || sup.is_some() && !is_function(entry) && inside.len() > 1
+            || sup.is_some() && !is_function(entry) && inside.len() > 1 && !self.shifts_the_time(&inside)
             || is_vector && has_operator;
+        // `\gamma(c, v)`: a factor of components. `m(\ddot x)`: an acceleration is no argument.
+        let is_factor = entry.name.base == "\\gamma" && inside.iter().any(is_comma)
+            || matches!(inside.as_slice(), [only] if self.lone_name(only).is_some_and(|(_, dots)| dots > 1));
         let named = match sup {
+            _ if is_factor && !is_product => return Ok(None),
             _ if is_plain || !is_call && !is_product => return Ok(None),
             Some(sup) => self.raised(expr.clone(), sup, expr.span)?,
             None => expr.clone(),
@@ -202,7 +214,7 @@ impl Reader<'_> {
             return true;
         }
         // `ru(1 - u)`: nothing is a function of itself.
-        if !is_function(entry) && inside.iter().any(|item| mentions(item, &entry.name)) {
+        if !may_contain_itself(entry) && inside.iter().any(|item| mentions(item, &entry.name)) {
             return false;
         }
         let is_usual = is_function(entry)
@@ -356,7 +368,7 @@ impl Reader<'_> {
                 .windows(2)
                 .any(|pair| differential(pair[0]) == Some(1) && names::printed(pair[1], None).is_some());
         let is_factor = !is_function(entry) && !FIELDS.contains(&name.base.as_str());
-        let is_logistic = has_itself && !is_function(entry);
+        let is_logistic = has_itself && !may_contain_itself(entry);
         if self.symbols.open && (is_logistic || is_factor && has_differential) {
             return Ok(());
         }
@@ -411,28 +423,6 @@ impl Reader<'_> {
             true => ambiguous(),
             false => Ok(()),
         }
-    }
-
-    /// Whether braces hold a sum, `D\{a + b\}`, or a coefficient stands before brackets around parentheses, `a[(b + c) + d]`.
-    /// The arguments of a function stand in neither.
-    fn is_a_product_by_its_brackets(&self, id: SymbolId, fence: &Item) -> bool {
-        let Layout::Fence(delimiter, inside) = &fence.layout else { return false };
-        let name = &self.symbols.entry(id).name;
-        let is_sum = inside.iter().skip(1).any(|item| self.is_sign(item));
-        let holds = |of: &dyn Fn(&Item) -> bool| inside.iter().any(of);
-        let is_enclosed = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::Round, _));
-        const COEFFICIENTS: [&str; 9] = ["a", "b", "c", "k", "A", "B", "C", "\\alpha", "\\lambda"];
-        is_sum
-            && !holds(&relation_or_comma)
-            && name.primes == 0
-            && match delimiter {
-                Delimiter::Curly => name.base.chars().all(char::is_alphabetic),
-                // `H_0^2[\Omega_m + \Omega_r]`
-                Delimiter::Square => {
-                    COEFFICIENTS.contains(&name.base.as_str()) && holds(&is_enclosed) || name.subscript == ["0"]
-                }
-                _ => false,
-            }
     }
 
     /// Rejects a parenthesis directly after a quantity if it holds a number, a lone name or a list: `x(0)`, `f(x)`,

@@ -74,6 +74,18 @@ impl Reader<'_> {
             }
             _ => false,
         };
+        // `\operatorname{sen}\theta`, `\text{sinh}\,x`
+        let word = match &nucleus.layout {
+            Layout::Text(word) => word.clone(),
+            _ => operator_word(nucleus).unwrap_or_default(),
+        };
+        let is_upright = matches!(nucleus.layout, Layout::Text(_) | Layout::Style(..));
+        let follows = items[*cursor + 1..].iter().any(|next| !matches!(next.layout, Layout::Space(_)));
+        let known = OF_OTHERS.iter().find(|(name, _)| *name == word).map(|(_, known)| *known);
+        if let Some(known) = known.filter(|_| is_upright && follows && !is_function) {
+            let fault = Fault::unsupported(item.span, format!("the function {word} is not supported"));
+            return Err(fault.help(format!("write \\{known} with its argument in parentheses")));
+        }
         if !is_function {
             return Ok(None);
         }
@@ -137,9 +149,24 @@ pub(super) fn is_named(item: &Item) -> bool {
     }
 }
 
+/// Names of functions in other languages, and in a text, with the command that is known.
+const OF_OTHERS: [(&str, &str); 11] = [
+    ("sen", "sin"),
+    ("tg", "tan"),
+    ("ctg", "cot"),
+    ("arctg", "arctan"),
+    ("arcsen", "arcsin"),
+    ("sh", "sinh"),
+    ("ch", "cosh"),
+    ("th", "tanh"),
+    ("cth", "coth"),
+    ("sinh", "sinh"),
+    ("cosh", "cosh"),
+];
+
 /// Functions that have a command or an upright name, and no value here.
-const FUNCTIONS: [&str; 38] = [
+const FUNCTIONS: [&str; 42] = [
     "log", "lg", "max", "min", "minimum", "maximum", "minimize", "maximize", "sup", "inf", "arg", "argmax", "argmin",
     "sgn", "sign", "dim", "ker", "rank", "span", "erf", "erfc", "sinc", "gcd", "Pr", "hom", "Res", "Var", "Cov", "ad",
-    "Ad", "div", "grad", "rot", "curl", "diag", "arctanh", "arcsinh", "arccosh",
+    "Ad", "div", "grad", "rot", "curl", "diag", "arctanh", "arcsinh", "arccosh", "sech", "csch", "coth", "cosech",
 ];

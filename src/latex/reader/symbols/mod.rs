@@ -38,6 +38,13 @@ impl Reader<'_> {
         if let Some(power) = self.eulers_number(&printed, span, items.get(*cursor))? {
             return Ok(power);
         }
+        // `[x_i, p_j] = i\delta_{ij}`
+        let is_factor = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).count() > 1;
+        let is_i = name.base == "i" && name.subscript.is_empty() && !self.bound.contains(&name.base);
+        if self.symbols.open && self.symbols.inferred.i_is_index && is_i && is_factor && !self.is_imaginary_unit(name) {
+            return Err(Fault::ambiguous(span, "i may be √−1 or the index that stands elsewhere")
+                .help("write \\mathrm{i} for √−1, and another letter for the index"));
+        }
         if printed.dots == 0 && self.is_imaginary_unit(name) {
             let unit = Expr::new(Node::Imaginary, span);
             return match printed.sup {

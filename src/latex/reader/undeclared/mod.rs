@@ -13,6 +13,7 @@
 //! | `fields` | `\nabla` |
 //! | `marks` | δ and Δ before a letter: variations, differences and factors |
 //! | `bound` | the letter of an integral that stands again behind it, which is refused |
+//! | `no_factors` | what stands beside a factor and is none, which is refused |
 //! | `neighbours` | factors that a person reads otherwise, which are refused |
 //! | `bars` | `\left. … \right|_{x=a}`, `(\partial S/\partial V)_T` |
 //!
@@ -31,6 +32,7 @@ mod functions;
 mod integrals;
 mod marks;
 mod neighbours;
+mod no_factors;
 mod sums;
 
 use crate::formula::symbols::{Kind, Name, Operator};

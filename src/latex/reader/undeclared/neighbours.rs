@@ -6,8 +6,9 @@ use crate::source::Fault;
 
 use super::super::super::layout::{Delimiter, Item, Layout, typed};
 use super::super::super::names;
-use super::super::items::contents;
+use super::super::items::{contents, joint};
 use super::super::state::{Read, Reader};
+use super::no_factors::{is_word, signed_in_braces, unclear_operator};
 
 /// Arrows that show a direction or a change, and are no factors.
 const ARROWS: [&str; 8] = [
@@ -48,6 +49,19 @@ impl Reader<'_> {
             return Ok(());
         };
         let touches = !matches!(items[at - 1].layout, Layout::Space(_));
+        let braced = match &item.layout {
+            Layout::Command(name) if name == "\\underbrace" || name == "\\overbrace" => items.get(at + 1),
+            _ => Some(item),
+        };
+        let signed = || braced.and_then(|braced| signed_in_braces(before, braced));
+        if let Some(fault) = unclear_operator(before, item).or_else(signed) {
+            return Err(fault);
+        }
+        let goes_on = matches!(items.get(at + 1).map(|next| &next.layout), Some(Layout::Fence(..)));
+        if !goes_on && is_word(item) && !is_figure(before) && joint(before).is_none() {
+            return Err(Fault::unsupported(item.span, "words beside a formula are not supported")
+                .help("put them after \\quad, or write \\cdot before a quantity whose name is a word"));
+        }
         let span = before.span.to(item.span);
         if touches && is_hatted_capital(before) && may_be_an_argument(item) {
             return Err(Fault::ambiguous(
@@ -189,6 +203,10 @@ impl Reader<'_> {
         matches!(inside.as_slice(), [only]
             if names::printed(only, self.branch).is_some_and(|found| found.sup.is_none() && found.name.primes == 0))
     }
+}
+
+fn is_figure(item: &Item) -> bool {
+    is_nonzero_number(item) || matches!(item.layout, Layout::Number(_) | Layout::Unit(_) | Layout::Text(_))
 }
 
 /// Whether an item is a mean value, `\langle x \rangle`, or the square of an absolute value, `|\psi|^2`.

@@ -1,0 +1,52 @@
+//! What stands beside a factor and is none: the change of a formula, `\delta\ln W`; a term with its sign in braces, `b {+c}`; words.
+
+use crate::formula::units;
+use crate::source::Fault;
+
+use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::items::{contents, joint};
+
+/// The fault of δ, Δ or d before what is no letter: `\delta\ln W`, `d\ln T`. `d\sin\theta` is a product as often.
+pub(super) fn unclear_operator(before: &Item, item: &Item) -> Option<Fault> {
+    let is_mark = matches!(&before.layout, Layout::Command(name) if name == "\\delta" || name == "\\Delta");
+    let is_d = before.layout == Layout::Letter('d');
+    let is_logarithm = matches!(&item.layout, Layout::Command(name) if name == "\\ln" || name == "\\log");
+    let is_formula = match &item.layout {
+        Layout::Command(name) => {
+            ["\\ln", "\\log", "\\det", "\\exp", "\\sin", "\\cos", "\\tan", "\\sinh", "\\cosh", "\\tanh", "\\sum"]
+                .contains(&name.as_str())
+        }
+        Layout::Fraction(..) | Layout::Fence(Delimiter::Angle | Delimiter::Bar | Delimiter::PlainBar, _) => true,
+        Layout::Scripts { nucleus, .. } => nucleus.layout == Layout::Command("\\sum".to_owned()),
+        _ => false,
+    };
+    (is_mark && is_formula || is_d && is_logarithm).then(|| {
+        Fault::ambiguous(before.span.to(item.span), "this may be the change of what follows, or a factor")
+            .help("put parentheses around what changes, or write \\cdot for a product")
+    })
+}
+
+/// The fault of a sign in braces after a factor, `b {+c}`, `T \underbrace{-V}_{p}`: braces do not print.
+pub(super) fn signed_in_braces(before: &Item, item: &Item) -> Option<Fault> {
+    let nucleus = if let Layout::Scripts { nucleus, .. } = &item.layout { nucleus } else { item };
+    let inside = match &nucleus.layout {
+        Layout::Group(_) | Layout::Style(..) => contents(nucleus),
+        Layout::Accent(_, inner) => contents(inner),
+        _ => return None,
+    };
+    let has_sign = inside.len() > 1 && matches!(inside[0].layout, Layout::Other('+' | '-'));
+    (has_sign && joint(before).is_none()).then(|| {
+        Fault::ambiguous(item.span, "braces do not print, so this may be a further term or a factor")
+            .help("write the sign before the braces, or parentheses for a factor")
+    })
+}
+
+/// Whether an item is a word of the text, and no unit and no function.
+pub(super) fn is_word(item: &Item) -> bool {
+    const SHORT: [&str; 2] = ["odd", "for"];
+    const FUNCTIONS: [&str; 12] =
+        ["sinh", "cosh", "tanh", "sech", "coth", "sign", "sinc", "rank", "erfc", "diag", "prob", "grad"];
+    let Layout::Text(word) = &item.layout else { return false };
+    let is_long = word.len() > 3 && word.chars().all(|c| c.is_ascii_lowercase());
+    (is_long || SHORT.contains(&word.as_str())) && !FUNCTIONS.contains(&word.as_str()) && units::parse(word).is_err()
+}
