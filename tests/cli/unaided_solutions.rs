@@ -143,3 +143,25 @@ fn a_solution_is_judged_with_the_relations_for_its_constants() {
     let free = oscillators(r"\omega \nu = 1", r"x(t) = A \cos(\omega t), \qquad y(t) = B e^{-\nu t}");
     assert_ne!(judged("constants-free", &free).0, "refuted");
 }
+
+/// Of a chain, the equality of a name with its formula, and an identity, are solved by anything.
+#[test]
+fn what_solves_a_chain_solves_an_equality_that_says_something() {
+    for (at, (chain, right, wrong)) in [
+        (r"F = k x = m g", r"x = \frac{m g}{k}", r"x = \frac{m g}{k^2}"),
+        (r"P = V I = R I^2", r"I = \frac{V}{R}", r"I = \frac{R}{V}"),
+        (r"E = \frac12 m v^2 = m g h", r"v = \sqrt{2 g h}", r"v = \sqrt{g h}"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let passes = ["certified", "verified"];
+        let (verdict, _) = last(&format!("chain-{at}"), &[chain, right]);
+        assert!(passes.contains(&verdict.as_str()), "{chain}: {right}: {verdict}");
+        let (verdict, _) = last(&format!("chain-wrong-{at}"), &[chain, wrong]);
+        assert!(!passes.contains(&verdict.as_str()), "{chain}: {wrong}: {verdict}");
+    }
+    let potential = r"V = \frac12 k x^2 - m g x";
+    let (verdict, _) = last("chain-identity", &[potential, r"\frac{dV}{dx} = k x - m g = 0", r"x = \frac{m g}{k^2}"]);
+    assert_eq!(verdict, "refuted");
+}

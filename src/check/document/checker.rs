@@ -395,11 +395,17 @@ impl Checker<'_> {
 
     /// The first statement of an equation, as a link between its first two members.
     pub fn target(&self, address: &Spanned<String>) -> Result<Link> {
+        self.targets(address)?.into_iter().next().ok_or_else(|| self.no_equation(address))
+    }
+
+    /// The equalities of the first statement of an equation, each as a link between two members.
+    pub fn targets(&self, address: &Spanned<String>) -> Result<Vec<Link>> {
         let nowhere =
             || Error::at(&self.claims.source, address.span, format!("the notes have no equation ({})", address.value));
         match self.display(&address.value).ok_or_else(nowhere)?.statements.first() {
             Some(Ok(Statement { members, relations, .. })) if members.len() > 1 => {
-                self.link(&members[0], relations[0].0, &members[1])
+                let links = members.windows(2).zip(relations);
+                links.map(|(pair, (relation, _))| self.link(&pair[0], *relation, &pair[1])).collect()
             }
             Some(Err(fault)) => Err(self.unread(address, fault)),
             _ => Err(self.no_equation(address)),

@@ -93,19 +93,24 @@ impl Checker<'_> {
         let [unknown] = solves.unknowns.as_slice() else {
             return Err(Error::at(&self.claims.source, address.span, "only one unknown is supported"));
         };
-        let target = self.target(&address)?;
+        let targets = self.targets(&address)?;
         let symbol = self.symbol(unknown)?;
         let name = text::plain(&self.model.name(symbol));
         let branches: Vec<Expr> = statements.iter().filter_map(|s| s.members.last().cloned()).collect();
+        let Some(target) = solves::equality_for(&targets, symbol, &branches, context)? else {
+            let message = format!("each equality of ({}) holds for every {name}, so nothing is solved", address.value);
+            parts.push(self.part(context.finding(Code::NotDecided, Verdict::Undecided, message), name));
+            return Ok(());
+        };
         if solves.complete {
-            let finding = solves::check(&target, symbol, &branches, context)?;
+            let finding = solves::check(target, symbol, &branches, context)?;
             parts.push(self.part(finding, format!("all solutions of ({}) for {name}", address.value)));
         }
         if branches.len() > 1 || !solves.complete {
             for (statement, branch) in statements.iter().zip(&branches) {
                 let span = statement.span.shifted(offset);
                 let of_branch = Context { span, ..*context };
-                let finding = solves::check_branch(&target, symbol, branch, &of_branch)?;
+                let finding = solves::check_branch(target, symbol, branch, &of_branch)?;
                 let reading = text::statement(statement, &self.model.symbols);
                 parts.push(self.part(finding, format!("{reading} solves ({}) for {name}", address.value)));
             }

@@ -9,10 +9,11 @@ use crate::formula::{Expr, Node, SymbolId, Value};
 use crate::scalar::{RunningError, Series};
 
 use crate::check::certificate::solutions::certify_solutions;
+use crate::check::judge::identity;
 use crate::check::judge::mutants::mutants_of;
 use crate::check::kinds::shapes::root_isolation::count_roots_on_grid;
 use crate::check::model::Model;
-use crate::check::model::claim::Link;
+use crate::check::model::claim::{Link, is_equality};
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
 use crate::check::sample::sampler::contains;
@@ -23,6 +24,40 @@ use crate::check::state::residual::{Failure, Point};
 use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::{Compared, Counterexample, Finding};
+
+/// The equality of a chain that `branches` are to solve for `unknown`. One that holds for every value of it, as that of a name with its
+/// formula, is solved by anything; of the others it is the first that the branches satisfy, or else the first that contains the unknown.
+///
+/// # Errors
+/// When the system's mass matrix is singular.
+pub fn equality_for<'l>(
+    chain: &'l [Link],
+    unknown: SymbolId,
+    branches: &[Expr],
+    context: &Context<'_>,
+) -> Result<Option<&'l Link>> {
+    let is_about = |link: &Link| mentions(&link.lhs, unknown) || mentions(&link.rhs, unknown);
+    if let [only] = chain
+        && !is_about(only)
+    {
+        return Ok(Some(only));
+    }
+    let mut first = None;
+    for link in chain.iter().filter(|link| is_about(link)) {
+        if !is_equality(link.relation) || identity::check(link, context)?.verdict.passes() {
+            continue;
+        }
+        let mut satisfies = true;
+        for branch in branches {
+            satisfies &= check_branch(link, unknown, branch, context)?.verdict.holds();
+        }
+        if satisfies {
+            return Ok(Some(link));
+        }
+        first = first.or(Some(link));
+    }
+    Ok(first)
+}
 
 /// Checks that `branch` is a solution of `target` for `unknown`; there may be others.
 ///

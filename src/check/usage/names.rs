@@ -293,7 +293,7 @@ fn is_space(item: &Item) -> bool {
 
 fn is_relation(item: &Item) -> bool {
     match &item.layout {
-        Layout::Other('=') => true,
+        Layout::Other('=' | '≡') => true,
         Layout::Command(name) => matches!(name.as_str(), "\\equiv" | "\\coloneqq"),
         _ => false,
     }
@@ -301,7 +301,12 @@ fn is_relation(item: &Item) -> bool {
 
 /// Notes a name that is the whole left side here.
 fn note_left(items: &[Item], at: usize, found: &mut Vec<Usage>) {
-    let solid: Vec<&Item> = items.iter().filter(|item| !is_space(item)).take(3).collect();
+    // `L := T - V`
+    let is_colon = |pair: &[&Item]| pair[0].layout == Layout::Other(':') && pair[1].layout == Layout::Other('=');
+    let mut solid: Vec<&Item> = items.iter().filter(|item| !is_space(item)).take(4).collect();
+    if let Some(colon) = solid.windows(2).position(is_colon) {
+        solid.remove(colon);
+    }
     let [first, rest @ ..] = solid.as_slice() else { return };
     let (name, is_power, after) = match difference(first, rest.first().copied()) {
         Some(name) => (name, false, rest.get(1)),

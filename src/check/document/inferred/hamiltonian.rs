@@ -27,7 +27,7 @@ pub(crate) fn infer(claims: &Claims, notes: &Notes, model: &mut Model) {
                     Some(arguments) => arguments.split_once(')').map_or("", |(_, rest)| rest).trim_start(),
                     None => rest,
                 };
-                rest.trim_start_matches('&').trim_start().strip_prefix('=').is_some_and(contains_momentum)
+                rest.trim_start_matches(['&', ' ', ':']).strip_prefix('=').is_some_and(contains_momentum)
             })
         };
         if !notes.equations.iter().any(|display| defines(&display.text)) {

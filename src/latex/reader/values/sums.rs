@@ -11,7 +11,7 @@ use crate::source::Fault;
 
 use super::super::super::layout::{Item, Layout};
 use super::super::super::names;
-use super::super::items::{contents, extent, is_big_product};
+use super::super::items::{parts, contents, extent, is_big_product};
 use super::super::state::{Read, Reader};
 
 /// The most terms that are written out.
@@ -44,6 +44,7 @@ impl Reader<'_> {
                 return Err(Fault::unsupported(sign.span, "a product has a value between two numbers only")
                     .help("write the product out, or leave the equation out with \"skip\""));
             }
+            is_no_index(rest, &printed.name.base)?;
             let bound = self.bind(letter)?;
             let body = self.term(rest);
             self.release(&bound);
@@ -64,6 +65,7 @@ impl Reader<'_> {
         for value in low..=high {
             let number = number(value, span);
             let placed: Vec<Item> = rest.iter().map(|item| with_subscript(item, &printed.name.base, value)).collect();
+            is_no_index(&placed, &printed.name.base)?;
             let bound = self.bind(letter)?;
             let body = self.term(&placed);
             self.release(&bound);
@@ -80,6 +82,30 @@ impl Reader<'_> {
             }
         }))
     }
+}
+
+/// Rejects a quantity with the letter of a sum below it, `c_j`: it has another value in each term.
+fn is_no_index(items: &[Item], letter: &str) -> Read<()> {
+    for item in items {
+        if let Layout::Scripts { sub: Some(sub), .. } = &item.layout
+            && let Some(place) = contents(sub).iter().find(|part| is_letter(part, letter))
+        {
+            return Err(Fault::index(place.span, format!("this quantity has another value for each {letter}, and no formula"))
+                .help(format!("give a formula for it in a display, or declare {letter} under \"indices\"")));
+        }
+        for part in parts(item) {
+            is_no_index(part, letter)?;
+        }
+        if let Layout::Scripts { sup: Some(sup), .. } = &item.layout {
+            is_no_index(contents(sup), letter)?;
+        }
+    }
+    Ok(())
+}
+
+/// Whether an item is a letter, or has it in it: `j`, `{j}`.
+fn is_letter(item: &Item, letter: &str) -> bool {
+    names::printed(item, None).is_some_and(|found| found.name.base == letter && found.name.subscript.is_empty())
 }
 
 /// A formula as a sum of one term: it so differs from its own text, because to compute it is a step.
