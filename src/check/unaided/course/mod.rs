@@ -10,6 +10,7 @@
 mod arguments;
 mod cases;
 mod constants;
+mod differentiated;
 pub(super) mod examples;
 mod extrema;
 mod factor;
@@ -316,6 +317,9 @@ impl Course<'_, '_> {
         let with_relations = constants::added(claim, &relations);
         if let Some(wrong) = self.slip_from(at, &with_relations, &sought, &solved)? {
             return Ok(constants::given(wrong, &relations));
+        }
+        if let Some(unclear) = self.with_unclear_derivative(at, &found) {
+            return Ok(unclear);
         }
         self.note_doubt(at);
         self.take_for_granted(at);

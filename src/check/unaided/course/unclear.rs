@@ -19,6 +19,9 @@ impl Course<'_, '_> {
         if passes && self.differentiates_an_open_energy(at) {
             return Some(gate::left_open(found.clone()));
         }
+        if passes && self.uses_an_unclear_derivative(at) {
+            return Some(gate::left_open(found.clone()));
+        }
         let letters = self.taken_for_numbers(at);
         if letters.is_empty() {
             return None;
