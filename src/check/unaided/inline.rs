@@ -12,7 +12,9 @@ use crate::latex::foreign::products_in_lines;
 use crate::notes::{Display, Notes};
 use crate::source::Span;
 
-use crate::check::document::inferred::prose::{body_of, follows_condition, is_announced, is_named, is_supposed};
+use crate::check::document::inferred::prose::{
+    body_of, follows_condition, is_announced, is_named, is_supposed, sentence_start, words_between,
+};
 use crate::check::usage::{Usage, names_of};
 
 /// The fewest names of a formula that is a relation, and no value or special case.
@@ -161,7 +163,14 @@ fn moves_on_the_right(display: &Display, usages: &[Usage], macros: &Macros) -> b
 
 /// Whether a formula in a sentence holds under a condition, so that it says nothing but about the next display.
 pub(super) fn is_conditional(notes: &Notes, display: &Display) -> bool {
-    follows_condition(notes, display.span)
+    // `v = \sqrt{\dot x^2 + \dot y^2} = 1` is a value of an example. A motion "about the rest position" is at other places too.
+    let members: Vec<&str> = display.text.split('=').collect();
+    let ends_in_a_number = members.len() > 2 && members.last().is_some_and(|last| last.trim().parse::<f64>().is_ok());
+    let start = sentence_start(notes, display.span.start);
+    let words = words_between(notes, start, display.span.start);
+    let is_about =
+        ["about", "around", "centred", "centered"].iter().any(|word| words.iter().any(|other| other == word));
+    ends_in_a_number || is_about || follows_condition(notes, display.span)
 }
 
 /// Whether a formula stands in the paragraph of the display after it.

@@ -7,7 +7,10 @@ use crate::source::{Fault, Span};
 use super::super::layout::{Item, Layout, typed};
 use super::super::names;
 use super::functions::written_out;
-use super::items::{extent, function_head, is_any_integral, is_big_product, is_big_sum, is_integral, is_limit, joint};
+use super::items::{
+    contents, extent, function_head, is_any_integral, is_big_product, is_big_sum, is_integral, is_limit,
+    is_numeric_item, joint,
+};
 use super::state::{Read, Reader};
 use super::words::are_no_words;
 
@@ -16,6 +19,9 @@ impl Reader<'_> {
     pub fn sum(&mut self, items: &[Item], end: Span) -> Read<Expr> {
         let whole = extent(items).unwrap_or(end);
         are_no_words(items, self.symbols)?;
+        if self.symbols.open || self.symbols.guessed {
+            is_no_italic_unit(items)?;
+        }
         if self.symbols.open {
             is_no_error_of_measurement(items)?;
             is_no_range(items)?;
@@ -261,6 +267,25 @@ fn is_no_error_of_measurement(items: &[Item]) -> Read<()> {
                 .help("write the value alone"))
         }
         None => Ok(()),
+    }
+}
+
+/// Rejects `1.1 \times 10^7\,m^{-1}`: after a number and a space the letter is that of a unit more often than a quantity.
+fn is_no_italic_unit(items: &[Item]) -> Read<()> {
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let Some((last, numbers)) = solid.split_last() else { return Ok(()) };
+    let Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } = &last.layout else { return Ok(()) };
+    let Layout::Letter(letter) = nucleus.layout else { return Ok(()) };
+    let is_unit = "mskKJNCVATWg".contains(letter);
+    let is_negative = matches!(contents(sup).first(), Some(Item { layout: Layout::Other('-'), .. }));
+    let is_number =
+        |item: &Item| is_numeric_item(item) || matches!(item.layout, Layout::Number(_)) || joint(item).is_some();
+    let has_number = numbers.iter().any(|item| matches!(item.layout, Layout::Number(_)));
+    let is_apart = items.iter().rev().nth(1).is_some_and(|item| matches!(item.layout, Layout::Space(_)));
+    match is_unit && is_negative && is_apart && has_number && numbers.iter().all(|item| is_number(item)) {
+        true => Err(Fault::ambiguous(last.span, format!("{letter} may be a unit or a quantity"))
+            .help(format!("write \\mathrm{{{letter}}} for the unit, and \\cdot before a quantity"))),
+        false => Ok(()),
     }
 }
 

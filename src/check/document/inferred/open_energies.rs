@@ -89,8 +89,9 @@ impl Sum {
         // Most displays need no further look.
         text.contains('=').then_some(())?;
         let items = typeset_items(text, macros).ok()?;
-        let is_mark =
-            |item: &&Item| !matches!(item.layout, Layout::Space(_) | Layout::Align | Layout::Other('.' | ',' | ';' | ':'));
+        let is_mark = |item: &&Item| {
+            !matches!(item.layout, Layout::Space(_) | Layout::Align | Layout::Other('.' | ',' | ';' | ':'))
+        };
         let mut items = items.iter().filter(is_mark);
         let of = names::printed(items.next()?, None).filter(|printed| printed.dots == 0)?.name;
         // `V(x) = …` gives V a formula.

@@ -120,6 +120,20 @@ pub(super) fn may_contain_itself(entry: &Entry) -> bool {
     is_function(entry) && !["V", "P", "U", "W"].contains(&entry.name.base.as_str())
 }
 
+/// Whether a name with an order below is a polynomial of a cosine, `P_l^m(\cos\theta)`, or a Bessel function, `J_m(k r)`.
+pub(super) fn is_special_function(name: &Name, inside: &[&Item]) -> bool {
+    let is_order = |part: &String| {
+        ["l", "\\ell", "m", "n", "\\nu", "k"].contains(&part.as_str()) || part.chars().all(|c| c.is_ascii_digit())
+    };
+    let has_order = !name.subscript.is_empty() && name.subscript.iter().all(is_order);
+    let is_cosine = matches!(inside.first().map(|item| &item.layout),
+        Some(Layout::Command(command)) if command == "\\cos" || command == "\\sin");
+    let is_product = inside.len() == 2 && inside.iter().all(|item| names::printed(item, None).is_some());
+    has_order
+        && (["P", "T", "U", "Q", "L", "H"].contains(&name.base.as_str()) && is_cosine
+            || ["J", "Y", "j", "N", "I", "K"].contains(&name.base.as_str()) && (is_cosine || is_product))
+}
+
 /// Whether ∇, or a derivative of nothing, stands in a parenthesis: an operator, or what it makes of a field, is no argument of a letter.
 pub(super) fn has_nabla<'i>(inside: impl IntoIterator<Item = &'i Item>) -> bool {
     let is_d = |item: &Item| {

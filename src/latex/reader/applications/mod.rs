@@ -34,8 +34,9 @@ use super::items::{differential, function_head, is_lone, is_minus_one};
 use super::state::{Read, Reader};
 pub(super) use inside::are_names;
 use inside::{
-    FIELDS, has_nabla, has_rate, is_fractional, is_function, is_product_of_vectors, is_step_function, is_value,
-    is_zero, may_be_an_argument, may_contain_itself, mentions, parenthesis, relation_or_comma,
+    FIELDS, has_nabla, has_rate, is_fractional, is_function, is_product_of_vectors, is_special_function,
+    is_step_function, is_value, is_zero, may_be_an_argument, may_contain_itself, mentions, parenthesis,
+    relation_or_comma,
 };
 
 impl Reader<'_> {
@@ -379,6 +380,9 @@ impl Reader<'_> {
             return Ok(());
         }
         if self.shifts_the_time(&inside) && (entry.varies && !entry.steady || self.symbols.open) {
+            return ambiguous();
+        }
+        if self.symbols.guessed && is_special_function(name, &inside) {
             return ambiguous();
         }
         if self.symbols.guessed && may_be_an_argument(entry, &inside, is_powered) {

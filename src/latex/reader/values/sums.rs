@@ -11,7 +11,7 @@ use crate::source::Fault;
 
 use super::super::super::layout::{Item, Layout};
 use super::super::super::names;
-use super::super::items::{parts, contents, extent, is_big_product};
+use super::super::items::{contents, extent, is_big_product, parts};
 use super::super::state::{Read, Reader};
 
 /// The most terms that are written out.
@@ -90,8 +90,11 @@ fn is_no_index(items: &[Item], letter: &str) -> Read<()> {
         if let Layout::Scripts { sub: Some(sub), .. } = &item.layout
             && let Some(place) = contents(sub).iter().find(|part| is_letter(part, letter))
         {
-            return Err(Fault::index(place.span, format!("this quantity has another value for each {letter}, and no formula"))
-                .help(format!("give a formula for it in a display, or declare {letter} under \"indices\"")));
+            return Err(Fault::index(
+                place.span,
+                format!("this quantity has another value for each {letter}, and no formula"),
+            )
+            .help(format!("give a formula for it in a display, or declare {letter} under \"indices\"")));
         }
         for part in parts(item) {
             is_no_index(part, letter)?;
