@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Node, Relation, SymbolId, text};
+use crate::formula::{Expr, Node, Relation, Sign, SymbolId, text};
 use crate::latex::{name_search, read_formula};
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
@@ -16,6 +16,7 @@ use crate::check::document::names::shown;
 use crate::check::hypotheses::rule::Rule;
 use crate::check::kinds::definitions::Approximations;
 use crate::check::kinds::limit;
+use crate::check::kinds::mechanics::equilibrium;
 use crate::check::kinds::series::{self, Read};
 use crate::check::kinds::small;
 use crate::check::model::Model;
@@ -97,9 +98,18 @@ impl Checker<'_> {
         }
         let Some(said) = self.says_small(claim, context.span) else { return Ok(None) };
         let open = |message: &str| Ok(Some(context.finding(Code::NotDecided, Verdict::Undecided, message.to_owned())));
-        let Some(places) = self.places_of(&said) else {
+        let Some(mut places) = self.places_of(&said) else {
             return open("this does not hold exactly, and it was not tried to first order about this place");
         };
+        if said.is_empty() {
+            places = self.places_of_distances(link);
+        }
+        let has_letters = places.iter().any(|(_, value)| !value.symbols().is_empty());
+        // A place with letters is one of rest, which says what they are.
+        let rest = if has_letters { equilibrium::rest_at(&places, context) } else { None };
+        let is_of_rest = rest.is_some() && self.model.coordinates.len() == 1;
+        let hypotheses: Vec<Hypothesis> = context.hypotheses.iter().cloned().chain(rest.into_iter().flatten()).collect();
+        let context = &Context { hypotheses: &hypotheses, ..*context };
         let (small, rates) = self.small_motion(&said, &places);
         let close = Link { relation: Relation::Approximately, ..link.clone() };
         match small::of_motion(&close, &small, &rates, context) {
@@ -107,12 +117,8 @@ impl Checker<'_> {
                 let message = format!("about {}, this {}", self.shown(&places), linear.message);
                 Ok(Some(Finding { message, ..linear }))
             }
-            // A place with a letter is one of rest, or of a steady motion, under a condition that the claim need not contain.
-            Ok(linear)
-                if linear.code != Code::TooFewStates && places.iter().all(|(_, value)| value.symbols().is_empty()) =>
-            {
-                Ok(None)
-            }
+            // A place with a letter may also be one of a steady motion, under a condition that the claim need not contain.
+            Ok(linear) if linear.code != Code::TooFewStates && (is_of_rest || !has_letters) => Ok(None),
             _ => open(&format!(
                 "this does not hold exactly, and it could not be tried for small motion about {}",
                 self.shown(&places)
@@ -128,8 +134,12 @@ impl Checker<'_> {
             let text = named.map_or(Some(&latex.value), |(_, all)| all.first().map(|latex| &latex.value));
             text.filter(|text| self.is_small(text)).cloned()
         };
-        let claimed = claim.assume.iter().chain(&claim.throughout).find_map(said);
-        claimed.or_else(|| prose::speaks_of_small(self.notes, span).then(String::new))
+        let claimed = claim.assume.iter().chain(&claim.throughout).chain(&claim.implied).find_map(said);
+        let is_coordinate = |text: &str| {
+            let mut names = self.model.coordinates.iter().map(|q| self.model.name(q.symbol));
+            names.any(|name| name_search::same(text, &name))
+        };
+        claimed.or_else(|| prose::speaks_of_small(self.notes, span, is_coordinate).then(String::new))
     }
 
     /// The ways in which a claim, or the words before its display, say that a motion about a place is small: the coordinates are, or
@@ -164,6 +174,44 @@ impl Checker<'_> {
             places.extend(named.collect::<Option<Vec<SymbolId>>>()?.into_iter().map(|q| (q, value.clone())));
         }
         Some(places)
+    }
+
+    /// The places from which distances in a link are measured: x_0, where ξ = x − x_0 is defined.
+    fn places_of_distances(&self, link: &Link) -> Vec<(SymbolId, Expr)> {
+        let names = link.lhs.symbols().into_iter().chain(link.rhs.symbols());
+        let mut found: Vec<(SymbolId, Expr)> = Vec::new();
+        for (id, _) in names {
+            let Some(Meaning::Defined(formula)) = self.model.meaning(id) else { continue };
+            let Some((q, place)) = self.distance(formula) else { continue };
+            if found.iter().all(|(known, _)| *known != q) {
+                found.push((q, place));
+            }
+        }
+        found
+    }
+
+    /// The coordinate and the place, where a formula is a coordinate less a place, which has constants only.
+    fn distance(&self, formula: &Expr) -> Option<(SymbolId, Expr)> {
+        let Node::Sum(terms) = &formula.node else { return None };
+        let [first, second] = terms.as_slice() else { return None };
+        let coordinate = first.expr.as_plain_symbol().filter(|id| self.model.is_coordinate(*id))?;
+        let is_fixed = second.expr.symbols().iter().all(|(id, _)| {
+            let is_constant = matches!(self.model.meaning(*id), Some(Meaning::Constant(_)));
+            is_constant || matches!(self.model.meaning(*id), Some(Meaning::Defined(_))) && !self.moves(*id)
+        });
+        let place = match second.sign {
+            Sign::Minus => second.expr.clone(),
+            Sign::Plus => second.expr.clone().negated(),
+        };
+        (first.sign == Sign::Plus && is_fixed).then_some((coordinate, place))
+    }
+
+    /// Whether a name depends on a coordinate or on the time.
+    fn moves(&self, id: SymbolId) -> bool {
+        let coordinates: Vec<SymbolId> =
+            self.model.coordinates.iter().chain(&self.model.varying).map(|q| q.symbol).collect();
+        let name = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
+        self.model.symbol_depends_on(id, &coordinates) || self.model.contains_time(&name)
     }
 
     /// These places in words; 0, if there is none.

@@ -34,6 +34,40 @@ impl Checker<'_> {
         (found.dots < found.order || is_printed()).then_some(found)
     }
 
+    /// The solution that a link with ≈ prints to some order in a small parameter.
+    pub(crate) fn solution_near(&self, link: &Link, at: usize, claim: &Claim) -> Option<Solution> {
+        let exact = Link { relation: Relation::Equal, ..link.clone() };
+        self.solution(&exact, at, claim).filter(|found| !claim.small.is_empty() && found.dots == 0)
+    }
+
+    /// The finding on a solution to some order in a small parameter: where position and velocity are those of the solution, the acceleration
+    /// on shell is its second derivative to this order.
+    ///
+    /// # Errors
+    /// When the system's mass matrix is singular.
+    pub(crate) fn solution_to_an_order(
+        &self,
+        found: &Solution,
+        claim: &Claim,
+        context: &Context<'_>,
+    ) -> Result<Finding> {
+        let beside = self.solutions_beside(Some(found.coordinate), context);
+        let others = beside.iter().flat_map(|(_, solution)| solution.hypotheses());
+        let hypotheses: Vec<Hypothesis> =
+            context.hypotheses.iter().cloned().chain(found.hypotheses()).chain(others).collect();
+        let link = Link { relation: Relation::Approximately, ..found.claim() };
+        let finding = self.small(&link, claim, &Context { hypotheses: &hypotheses, on_shell: Some(true), ..*context })?;
+        let name = text::plain(&self.model.name(found.coordinate));
+        let message = match finding.verdict {
+            verdict if verdict.holds() => format!("solves the equations of motion for {name}: {}", finding.message),
+            Verdict::Refuted => {
+                format!("this does not satisfy the equations of motion for {name} to this order: {}", finding.message)
+            }
+            _ => return Ok(finding),
+        };
+        Ok(Finding { message, ..finding })
+    }
+
     /// The solution of a link by which a coordinate is constant, beside a solution for another one.
     fn constant_solution(&self, link: &Link) -> Option<Solution> {
         let found = Solution::of_link_or_constant(link, self.model).filter(|found| found.dots == 0)?;

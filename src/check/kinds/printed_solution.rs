@@ -64,7 +64,7 @@ impl Solution {
     }
 
     /// The claim: the highest derivative on shell is that of the formula.
-    pub(super) fn claim(&self) -> Link {
+    pub(crate) fn claim(&self) -> Link {
         self.link(self.order.max(self.dots))
     }
 }

@@ -12,7 +12,7 @@ use crate::notes::claims::{Claim, Declaration, Range, Spanned};
 
 use super::notes_names::NotesNames;
 use super::places::is_value_of;
-use super::words::{PASSING, REST, Sentence};
+use super::words::{PASSING, Sentence};
 use super::{ProseClaim, spanned};
 
 /// Words for the begin of a motion beside those for a release, as they begin.
@@ -24,6 +24,9 @@ const FORMULAS: [&str; 3] = ["\\dot", "\\sqrt", "("];
 /// Words for the rate of an angle, as they begin.
 const TURNS: [&str; 9] =
     ["angular", "goes", "turn", "rotat", "revol", "precess", "winkelgeschw", "umläuf", "angulaire"];
+
+/// Words for the order of an expansion, each at its place.
+const ORDERS: [&str; 4] = ["zeroth", "first", "second", "third"];
 
 /// Where conditions are sought, from near to far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +51,8 @@ struct Case {
     assume: Vec<String>,
     /// A limit.
     limit: Option<String>,
+    /// A constant in powers of which formulas are expanded, with the order.
+    small: Option<(String, u32)>,
     /// Constants that only these formulas name.
     constants: Vec<(String, Range)>,
 }
@@ -68,6 +73,7 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
         for words in &sentences[skipped..] {
             case.add(names, (words, &words.formulas));
             case.turns(names, display, words);
+            case.small = order_of(names, words).or(case.small);
             case.stops(names, at, words);
         }
         if let Some(words) = sentences.last() {
@@ -96,12 +102,18 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
         limit: case.limit.map(spanned),
         ..Claim::default()
     };
+    if let Some((name, order)) = case.small.filter(|(name, _)| is_printed(name)) {
+        claim.small = vec![spanned(name)];
+        claim.order = Some(spanned(order));
+    }
     claim.throughout = case.throughout.into_iter().map(|(of, value)| spanned(format!("{of} = {value}"))).collect();
     if claim == Claim::default() {
         return None;
     }
-    let said: Vec<&str> =
-        claim.throughout.iter().chain(&claim.assume).chain(&claim.limit).map(|text| text.value.as_str()).collect();
+    let order = claim.order.as_ref().map(|order| order.value);
+    let said = claim.throughout.iter().chain(&claim.assume).chain(&claim.limit).map(|text| text.value.clone());
+    let small = claim.small.iter().zip(order).map(|(name, order)| format!("to order {order} in {}", name.value));
+    let said: Vec<String> = said.chain(small).collect();
     let id = names.notes.equations[at].id()?;
     Some(ProseClaim {
         why: format!("({id}) is about the case {}, as the words around it say", said.join(", ")),
@@ -150,7 +162,7 @@ impl Case {
     /// Adds what formulas among words say.
     fn add(&mut self, names: &NotesNames<'_>, (words, formulas): (&Sentence, &[String])) {
         let begins = words.says_that_it_starts() || words.says(&FIRST);
-        let rests = words.has_word(&REST);
+        let rests = words.says_that_it_rests();
         let mut is_start = false;
         for formula in formulas {
             if let Some(limit) = limit(formula) {
@@ -277,6 +289,25 @@ fn limit(formula: &str) -> Option<String> {
     (is_end && names::parse(name).is_some()).then(|| format!("{name} \\to {end}"))
 }
 
+/// The constant in powers of which words say that something is expanded, with the order: "to first order in $\epsilon$", "neglecting terms
+/// of order $\epsilon^2$".
+fn order_of(names: &NotesNames<'_>, words: &Sentence) -> Option<(String, u32)> {
+    let is_one = |name: &str| names.is_constant(name) && coordinate(names, name).is_none();
+    let neglected = |formula: &String| {
+        let inner = formula.trim().trim_start_matches(['O', '(', '{', ' ']).trim_end_matches([')', ' ']);
+        let (name, power) = inner.split_once('^')?;
+        let power: u32 = power.trim_matches(['{', '}', ' ']).parse().ok()?;
+        (power > 0 && is_one(name.trim())).then(|| (name.trim().to_owned(), power - 1))
+    };
+    if words.says(&["neglect", "ignor", "omit", "dropping", "up to"]) && words.says(&["order", "term"]) {
+        return words.formulas.iter().find_map(neglected);
+    }
+    let order = ORDERS.iter().position(|one| words.says_phrase(&[format!("{one} order in").as_str()]))?;
+    let mut constants = words.formulas.iter().filter(|formula| is_one(formula));
+    let (name, None) = (constants.next()?, constants.next()) else { return None };
+    Some((name.clone(), u32::try_from(order).ok()?))
+}
+
 /// Adds the conditions of a claim to another one, which keeps its own.
 pub(super) fn join(known: &mut Claim, new: &Claim) {
     let add = |known: &mut Vec<Spanned<String>>, new: &[Spanned<String>]| {
@@ -287,4 +318,8 @@ pub(super) fn join(known: &mut Claim, new: &Claim) {
     add(&mut known.assume, &new.assume);
     add(&mut known.throughout, &new.throughout);
     known.limit = known.limit.take().or_else(|| new.limit.clone());
+    if known.small.is_empty() {
+        known.small.clone_from(&new.small);
+        known.order.clone_from(&new.order);
+    }
 }

@@ -138,6 +138,7 @@ impl Claim {
             units_off,
             // No key makes it.
             implied: _,
+            implied_throughout: _,
         } = self;
         let solved = solves.as_ref().and_then(|solves| solves.unknowns.first());
         [

@@ -100,6 +100,32 @@ const CONDITION: [&str; 14] = [
     "initial",
 ];
 
+/// Words with which a sentence speaks of no small motion, or of another one.
+const OF_ANY_SIZE: [&str; 12] = [
+    "no", "not", "never", "without", "beyond", "nonlinear", "exact", "exactly", "general", "generally", "large", "arbitrary",
+];
+
+/// Words for what is small in a small motion, as they begin.
+const MOTIONS: [&str; 14] = [
+    "angle",
+    "oscill",
+    "vibrat",
+    "motion",
+    "displace",
+    "deviat",
+    "deflect",
+    "amplitude",
+    "swing",
+    "excursion",
+    "departure",
+    "disturb",
+    "perturb",
+    "elongation",
+];
+
+/// The number of sentences before the last one of which the words count.
+const SENTENCES_BEFORE: usize = 2;
+
 /// The most bytes before a formula that are taken for its words.
 const LONGEST: usize = 300;
 
@@ -309,17 +335,48 @@ pub(crate) fn is_supposed(notes: &Notes, span: Span) -> bool {
     last(&words_before(notes, span), &["if", "unless", "until", "assuming", "suppose", "limit", "near"]).is_some()
 }
 
-/// Whether the sentence before a display speaks of small motion, as "for small oscillations" does, and does not deny it: "no longer
-/// small".
-pub(crate) fn speaks_of_small(notes: &Notes, span: Span) -> bool {
+/// Whether the words before a display speak of small motion, as "for small oscillations" does, and do not deny it: "no longer small". What
+/// a sentence before the last one says must be about the motion, or a coordinate: "we assume that $\\theta$ is small. Then".
+pub(crate) fn speaks_of_small(notes: &Notes, span: Span, is_coordinate: impl Fn(&str) -> bool) -> bool {
     let start = notes.equations.iter().map(|display| display.span).find(|display| display.contains(span));
     // A display of an edited text may stand where the notes have ended.
     let before = notes.source.text.get(..start.map_or(span.start, |display| display.start)).unwrap_or_default();
-    let words = words_before(notes, Span::at(before.trim_end().len()));
-    let is_denied =
-        words.iter().any(|word| ["no", "not", "never", "without", "beyond", "nonlinear"].contains(&word.as_str()));
-    let is_said = words.iter().any(|word| word == "small" || word.starts_with("lineari"));
-    !is_denied && (is_said || words.windows(2).any(|two| two == ["first", "order"]))
+    // A mark directly before the display ends no other sentence.
+    let without_marks =
+        |end: usize| before[..end].trim_end_matches(|c: char| c.is_whitespace() || matches!(c, ':' | '.' | ';')).len();
+    let mut end = without_marks(before.len());
+    for sentence in 0..=SENTENCES_BEFORE {
+        let from = sentence_start(notes, end);
+        let words = words_between(notes, from, end);
+        if words.iter().any(|word| OF_ANY_SIZE.contains(&word.as_str())) {
+            return false;
+        }
+        let formulas = notes.inline.iter().filter(|span| span.start >= from && span.end <= end);
+        let formulas: Vec<&str> =
+            formulas.filter_map(|span| Some(notes.source.slice(body_of(notes, *span)?).trim())).collect();
+        let is_much_smaller =
+            |formula: &&str| formula.split_once("\\ll").is_some_and(|(left, _)| is_coordinate(left.trim()));
+        let is_small = words.iter().any(|word| word == "small");
+        let is_of_motion = || {
+            let is_motion = |word: &String| MOTIONS.iter().any(|stem| word.starts_with(stem));
+            words.iter().any(is_motion) || formulas.iter().any(|formula| is_coordinate(formula))
+        };
+        let is_said = words.iter().any(|word| word.starts_with("lineari"))
+            || formulas.iter().any(is_much_smaller)
+            || is_small && (sentence == 0 || is_of_motion())
+            || sentence == 0 && words.windows(2).any(|two| two == ["first", "order"]);
+        if is_said {
+            return true;
+        }
+        let next = without_marks(from);
+        let is_of_another_paragraph = before[next..from].contains("\n\n");
+        let is_display = notes.equations.iter().any(|display| display.span.end > next && display.span.end <= from);
+        if is_of_another_paragraph || is_display || next == 0 {
+            return false;
+        }
+        end = next;
+    }
+    false
 }
 
 /// The last place of one of these words.
