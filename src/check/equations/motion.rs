@@ -2,6 +2,8 @@
 
 use crate::Result;
 use crate::code::Code;
+use crate::formula::derivative::{self, Scope};
+use crate::formula::tree::Variable;
 use crate::formula::{Expr, Node, Relation, SymbolId, text};
 use crate::latex::Reading;
 use crate::notes::claims::{Claim, Spanned};
@@ -51,13 +53,21 @@ impl Checker<'_> {
         claim: &Claim,
         context: &Context<'_>,
     ) -> Result<Finding> {
+        let name = text::plain(&self.model.name(found.coordinate));
+        if self.starts(claim) && !initial_values::holds_at_start(found, context)? {
+            let message = format!("the formula for {name} and its rate do not have the values of the start");
+            return Ok(context.finding(Code::SidesDiffer, Verdict::Refuted, message));
+        }
+        let rest = claim.assume.iter().filter(|latex| !self.is_start(latex)).cloned().collect();
+        let of_claim = self.hypotheses(&Claim { assume: rest, ..claim.clone() })?;
         let beside = self.solutions_beside(Some(found.coordinate), context);
         let others = beside.iter().flat_map(|(_, solution)| solution.hypotheses());
-        let hypotheses: Vec<Hypothesis> =
-            context.hypotheses.iter().cloned().chain(found.hypotheses()).chain(others).collect();
-        let link = Link { relation: Relation::Approximately, ..found.claim() };
+        let hypotheses: Vec<Hypothesis> = of_claim.into_iter().chain(found.hypotheses()).chain(others).collect();
+        let claimed = found.claim();
+        // A constant in the formula is no term of its derivative.
+        let rate = (0..found.order).try_fold(found.formula.clone(), |of, _| self.rate_by_the_time(&of));
+        let link = Link { relation: Relation::Approximately, rhs: rate.unwrap_or(claimed.rhs), ..claimed };
         let finding = self.small(&link, claim, &Context { hypotheses: &hypotheses, on_shell: Some(true), ..*context })?;
-        let name = text::plain(&self.model.name(found.coordinate));
         let message = match finding.verdict {
             verdict if verdict.holds() => format!("solves the equations of motion for {name}: {}", finding.message),
             Verdict::Refuted => {
@@ -66,6 +76,16 @@ impl Checker<'_> {
             _ => return Ok(finding),
         };
         Ok(Finding { message, ..finding })
+    }
+
+    /// The derivative of a formula by the time, as a formula.
+    fn rate_by_the_time(&self, of: &Expr) -> Option<Expr> {
+        let (time, _) = self.model.symbols.find(self.model.symbols.time.as_ref()?)?;
+        let by = Variable { id: time, indices: Vec::new(), dots: 0 };
+        let scope = Scope { symbols: &self.model.symbols, fixed: &[] };
+        let mut found = derivative::partial(of, &by, scope, of.span).ok()?;
+        found.move_to(of.span);
+        Some(found)
     }
 
     /// The solution of a link by which a coordinate is constant, beside a solution for another one.

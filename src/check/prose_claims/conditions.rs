@@ -102,7 +102,7 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
         limit: case.limit.map(spanned),
         ..Claim::default()
     };
-    if let Some((name, order)) = case.small.filter(|(name, _)| is_printed(name)) {
+    if let Some((name, order)) = case.small.filter(|(name, order)| *order == 0 || is_printed(name)) {
         claim.small = vec![spanned(name)];
         claim.order = Some(spanned(order));
     }
