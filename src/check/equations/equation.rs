@@ -4,7 +4,7 @@ use crate::code::Code;
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
 use crate::latex::{DefinedSymbol, Macros, Reading, read_display};
 use crate::notes::Display;
-use crate::notes::claims::{Claim, Holds, Spanned};
+use crate::notes::claims::{Claim, Holds};
 use crate::source::{Fault, Span};
 use crate::{Error, Result};
 
@@ -172,8 +172,7 @@ impl Checker<'_> {
         let is_near = |statement: &Statement| {
             statement.relations.iter().any(|(relation, _)| *relation == Relation::Approximately)
         };
-        let is_of_prose = |said: &Spanned<String>| said.span == Span::default();
-        claim.limit.iter().chain(&claim.small).any(is_of_prose) && !reading.statements.iter().flatten().any(is_near)
+        claim.is_near_by_prose() && !reading.statements.iter().flatten().any(is_near)
     }
 
     /// The same, with each hypothesis as the claim has it.

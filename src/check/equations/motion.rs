@@ -4,7 +4,7 @@ use crate::Result;
 use crate::code::Code;
 use crate::formula::derivative::{self, Scope};
 use crate::formula::tree::Variable;
-use crate::formula::{Expr, Node, Relation, SymbolId, text};
+use crate::formula::{Expr, Node, Relation, Sign, SymbolId, text};
 use crate::latex::Reading;
 use crate::notes::claims::{Claim, Spanned};
 
@@ -107,10 +107,17 @@ impl Checker<'_> {
             let statements = reading.statements.iter().flatten().filter(|statement| !statement.relations.is_empty());
             // `x_1 = x_3 = f(t)` is a solution for each.
             let first = statements.flat_map(|statement| {
-                let names = self.leading_coordinates(statement).max(1);
-                let value = statement.members.get(names);
-                statement.members[..names].iter().filter_map(move |name| {
-                    let link = self.link(name, statement.relations[0].0, value?).ok()?;
+                let mut names = self.leading_coordinates(statement);
+                if names.len() < 2 {
+                    names = statement.members.first().map(|first| (first.clone(), Sign::Plus)).into_iter().collect();
+                }
+                let value = statement.members.get(names.len());
+                names.into_iter().filter_map(move |(name, sign)| {
+                    let value = match sign {
+                        Sign::Plus => value?.clone(),
+                        Sign::Minus => value?.clone().negated(),
+                    };
+                    let link = self.link(&name, statement.relations[0].0, &value).ok()?;
                     Solution::of_link_or_constant(&link, self.model).filter(|found| found.dots == 0)
                 })
             });

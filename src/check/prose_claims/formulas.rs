@@ -27,6 +27,8 @@ struct Said {
     may_be_a_case: bool,
     /// The name that is its left side.
     left: Option<Name>,
+    /// Whether it gave a coordinate before it was solved for the new name.
+    is_distance: bool,
     /// The names in it that nothing else says anything of.
     news: Vec<Name>,
 }
@@ -52,7 +54,7 @@ impl Said {
         };
         let Some(place) = place.filter(|place| !place.is_empty()).filter(is_plain) else { return };
         let text = format!("{name} = {} - \\left({place}\\right)", left.trim());
-        (self.left, self.text) = (Some(name.clone()), text);
+        (self.left, self.text, self.is_distance) = (Some(name.clone()), text, true);
     }
 }
 
@@ -81,6 +83,7 @@ pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<ProseClaim> {
             displays,
             is_said: !one.may_be_a_case,
             is_enough: one.may_be_a_case,
+            gives_coordinates: one.is_distance,
             ..ProseClaim::default()
         });
         defined.push(left);
@@ -121,6 +124,7 @@ pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<ProseClaim> {
             displays,
             is_said,
             is_enough: !is_said,
+            gives_coordinates: are_coordinates,
             ..ProseClaim::default()
         });
     }
@@ -160,6 +164,7 @@ fn equation(notes_names: &NotesNames<'_>, text: &str) -> Option<Said> {
     (!news.is_empty()).then(|| Said {
         text: text.to_owned(),
         may_be_a_case: false,
+        is_distance: false,
         left: left.filter(|left| news.contains(left)),
         news,
     })

@@ -86,6 +86,8 @@ pub(crate) struct ProseClaim {
     is_enough: bool,
     /// Whether a sentence states it outright. A display may then be wrong with it, or about a special case, if others pass.
     is_said: bool,
+    /// Whether it gives new coordinates by the old ones, so that one display that is refuted is compared with its edits.
+    gives_coordinates: bool,
     /// Whether a display of it is refuted, so that edits decide.
     is_doubtful: bool,
     /// What is said in the report.
@@ -192,8 +194,7 @@ fn tied_names(
     }
     let mut said = formulas::infer(&NotesNames::of(claims, notes));
     said.retain(|claim| claim.findings(found, notes).into_iter().any(lacks_a_name));
-    let brief = Run { options: Options { explain: false, ..run.options }, ..*run };
-    kept(&brief, (claims, notes), said, ProseClaim::may_stand)
+    standing(run, (claims, notes), said)
 }
 
 /// The claims that stand together, and the document with them. Where the document cannot be checked with them, there are none.
@@ -343,7 +344,9 @@ impl ProseClaim {
         if self.is_said {
             let refuted = findings.iter().filter(|equation| is_refuted(equation)).count();
             let passing = findings.iter().filter(|equation| passes(equation)).count();
-            return passing > 0 && passing >= refuted;
+            // Where no display passes with new coordinates, edits decide.
+            self.is_doubtful = passing == 0 && self.gives_coordinates && refuted == findings.len();
+            return self.is_doubtful || passing > 0 && passing >= refuted;
         }
         self.is_doubtful = findings.iter().any(|equation| is_refuted(equation));
         // Counterexamples are found later.

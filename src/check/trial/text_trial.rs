@@ -282,7 +282,8 @@ impl<'d, 'a> Trial<'d, 'a> {
     fn misses_the_motion(&self, reading: &Reading) -> bool {
         let all = self.solutions(reading);
         let given = |q: &Variable| all.iter().any(|known| known.coordinate == q.symbol && known.dots == 0);
-        if !self.checker.model.coordinates.iter().all(given) || !self.hypotheses.is_empty() {
+        if !self.checker.model.coordinates.iter().all(given) || !self.hypotheses.is_empty() || self.claim.is_near_by_prose()
+        {
             return false;
         }
         let topic = format!("{} trial solutions", self.topic);
