@@ -97,7 +97,7 @@ pub(crate) fn read_all(
         });
         if let Some(waiting) = waiting.filter(|_| model.tie_components()) {
             let at = unread[waiting].0;
-            if !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), model) {
+            if !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), false, model) {
                 readings[at] = Some(accept(read(&texts[at], assigned[at], model), model));
             }
             pending.define_what_is_ready(model);
@@ -124,9 +124,10 @@ pub(crate) fn read_all(
                     break;
                 }
             }
-        } else if !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), model)
+        } else if !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), false, model)
             && !indices::declare(unread.iter().map(|(_, _, reading)| reading), model)
             && !unread.iter().any(|(at, _, reading)| integration_constants::declare(&texts[*at], reading, model))
+            && !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), true, model)
         {
             let read = readings.iter().enumerate().filter_map(|(at, reading)| Some((at, reading.as_ref()?)));
             let all = read.chain(unread.iter().map(|(at, _, reading)| (*at, reading)));

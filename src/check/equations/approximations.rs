@@ -41,6 +41,8 @@ impl Checker<'_> {
         place: Span,
         (from, context): (Span, &Context<'_>),
     ) -> Result<Finding> {
+        let expanded = self.expanded_solution(link, context)?;
+        let link = expanded.as_ref().unwrap_or(link);
         let link = &match series::of(link, claim.small.is_empty() && claim.limit.is_none(), self.model) {
             Read::Plain => link.clone(),
             Read::Unclear(why) => return Ok(context.finding(Code::NeedsLimitOrSmall, Verdict::Undecided, why)),
@@ -102,13 +104,15 @@ impl Checker<'_> {
             return open("this does not hold exactly, and it was not tried to first order about this place");
         };
         if said.is_empty() {
-            places = self.places_of_distances(link);
+            places = self.places_of_distances([&link.lhs, &link.rhs].into_iter());
         }
         let has_letters = places.iter().any(|(_, value)| !value.symbols().is_empty());
-        // A place with letters is one of rest, which says what they are.
-        let rest = if has_letters { equilibrium::rest_at(&places, context) } else { None };
-        let is_of_rest = rest.is_some() && self.model.coordinates.len() == 1;
-        let hypotheses: Vec<Hypothesis> = context.hypotheses.iter().cloned().chain(rest.into_iter().flatten()).collect();
+        // Of one coordinate, a place with letters is one of rest, which says what they are. Others may go on moving.
+        let is_alone = has_letters && self.model.coordinates.len() == 1;
+        let rest = if is_alone { equilibrium::rest_at(&places, context) } else { None };
+        let is_of_rest = rest.is_some();
+        let hypotheses: Vec<Hypothesis> =
+            context.hypotheses.iter().cloned().chain(rest.into_iter().flatten()).collect();
         let context = &Context { hypotheses: &hypotheses, ..*context };
         let (small, rates) = self.small_motion(&said, &places);
         let close = Link { relation: Relation::Approximately, ..link.clone() };
@@ -147,7 +151,17 @@ impl Checker<'_> {
     pub(crate) fn small_motion_of(&self, claim: &Claim, span: Span) -> Option<Vec<Vec<Expr>>> {
         let is_possible = claim.small.is_empty() && !self.options.deduction && self.model.system.is_some();
         let said = self.says_small(claim, span).filter(|_| is_possible)?;
-        let (small, rates) = self.small_motion(&said, &self.places_of(&said)?);
+        let mut places = self.places_of(&said)?;
+        if said.is_empty() {
+            let display = self.notes.equations.iter().position(|display| display.body.contains(span));
+            let statements = display.map(|at| &self.readings[at].statements).into_iter().flatten().flatten();
+            places = self.places_of_distances(statements.flat_map(|statement| &statement.members));
+            // What a place with letters is, the families of states do not know.
+            if places.iter().any(|(_, value)| !value.symbols().is_empty()) {
+                return Some(Vec::new());
+            }
+        }
+        let (small, rates) = self.small_motion(&said, &places);
         let both = small.iter().chain(&rates).cloned().collect();
         Some(vec![small, both])
     }
@@ -176,11 +190,10 @@ impl Checker<'_> {
         Some(places)
     }
 
-    /// The places from which distances in a link are measured: x_0, where ξ = x − x_0 is defined.
-    fn places_of_distances(&self, link: &Link) -> Vec<(SymbolId, Expr)> {
-        let names = link.lhs.symbols().into_iter().chain(link.rhs.symbols());
+    /// The places from which distances in formulas are measured: x_0, where ξ = x − x_0 is defined.
+    fn places_of_distances<'e>(&self, formulas: impl Iterator<Item = &'e Expr>) -> Vec<(SymbolId, Expr)> {
         let mut found: Vec<(SymbolId, Expr)> = Vec::new();
-        for (id, _) in names {
+        for (id, _) in formulas.flat_map(Expr::symbols) {
             let Some(Meaning::Defined(formula)) = self.model.meaning(id) else { continue };
             let Some((q, place)) = self.distance(formula) else { continue };
             if found.iter().all(|(known, _)| *known != q) {

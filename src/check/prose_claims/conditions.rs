@@ -10,6 +10,9 @@ use crate::latex::{name_search, names};
 use crate::notes::Notes;
 use crate::notes::claims::{Claim, Declaration, Range, Spanned};
 
+use crate::check::document::inferred::prose::body_of;
+
+use super::constants::KNOWN;
 use super::notes_names::NotesNames;
 use super::places::is_value_of;
 use super::words::{PASSING, Sentence};
@@ -18,12 +21,28 @@ use super::{ProseClaim, spanned};
 /// Words for the begin of a motion beside those for a release, as they begin.
 const FIRST: [&str; 5] = ["first", "initial", "anfang", "anfäng", "début"];
 
+/// Words for a place from which something falls.
+const HEIGHT: [&str; 3] = ["height", "höhe", "hauteur"];
+
 /// What stands in formulas that say what a name is, and in no value.
 const FORMULAS: [&str; 3] = ["\\dot", "\\sqrt", "("];
 
 /// Words for the rate of an angle, as they begin.
 const TURNS: [&str; 9] =
     ["angular", "goes", "turn", "rotat", "revol", "precess", "winkelgeschw", "umläuf", "angulaire"];
+
+/// Phrases for what is not accelerated, each word as it begins.
+const UNACCELERATED: [&str; 9] = [
+    "not accelerated",
+    "no acceleration",
+    "acceleration vanish",
+    "accelerations vanish",
+    "acceleration is zero",
+    "stay at rest",
+    "stays at rest",
+    "remain at rest",
+    "remains at rest",
+];
 
 /// Words for the order of an expansion, each at its place.
 const ORDERS: [&str; 4] = ["zeroth", "first", "second", "third"];
@@ -73,8 +92,11 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
         for words in &sentences[skipped..] {
             case.add(names, (words, &words.formulas));
             case.turns(names, display, words);
-            case.small = order_of(names, words).or(case.small);
             case.stops(names, at, words);
+            if display == at {
+                case.small = order_of(names, words).or(case.small);
+                case.is_unaccelerated(names, at, words);
+            }
         }
         if let Some(words) = sentences.last() {
             case.add(names, (words, &inside(&names.notes.equations[display].text)));
@@ -87,11 +109,16 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
     } else {
         text.split_once(':').map_or(text.as_str(), |(_, rest)| rest)
     };
-    let is_printed = |name: &str| names.has_name(printed, without_dots(name));
+    let distances = distances(names, printed);
+    let is_printed = |name: &str| {
+        let name = without_dots(name.split('(').next().unwrap_or(name).trim());
+        names.has_name(printed, name) || distances.iter().any(|formula| is_a_term(name, formula))
+    };
     case.throughout.retain(|(of, _)| !is_printed(of));
     // That something does not change says nothing of its value.
     let is_rate = |of: &str| of.starts_with("\\dot") && !printed.contains("\\dot");
-    let may_stay = |of: &str| of.contains("(0)") || is_rate(of) || !is_printed(of.trim());
+    let is_a_start = |of: &str| of.contains("(0)") && distances.is_empty();
+    let may_stay = |of: &str| is_a_start(of) || is_rate(of) || !is_printed(of.trim());
     case.assume.retain(|said| said.split_once('=').is_none_or(|(of, _)| may_stay(of)));
     // The same of a limit, but for a relation that says itself that it is near.
     let is_near = ["\\approx", "\\simeq", "\\sim"].iter().any(|sign| printed.contains(sign));
@@ -122,6 +149,25 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
         displays: vec![at],
         ..ProseClaim::default()
     })
+}
+
+/// The formulas by which sentences define names that a text prints: x − x_0 for ξ.
+fn distances<'n>(names: &'n NotesNames<'_>, printed: &str) -> Vec<&'n str> {
+    let inline =
+        names.notes.inline.iter().filter_map(|span| Some(names.notes.source.slice(body_of(names.notes, *span)?)));
+    let said = inline.filter_map(|text| text.split_once('='));
+    let defined = names.claims.define.iter().map(|(name, formula)| (name.value.as_str(), formula.value.as_str()));
+    let is_of_it = |(name, formula): &(&str, &str)| {
+        let is_name = names::parse(name.trim()).is_some() && names.has_name(printed, name.trim());
+        is_name && !formula.contains("\\dot") && names.coordinates().any(|(one, _)| is_a_term(&one.name.value, formula))
+    };
+    said.chain(defined).filter(is_of_it).map(|(_, formula)| formula).collect()
+}
+
+/// Whether a name by itself is one of several terms of a formula.
+fn is_a_term(name: &str, formula: &str) -> bool {
+    let terms: Vec<&str> = formula.split(['+', '-']).map(|term| term.trim().trim_end_matches([',', '.'])).collect();
+    terms.len() > 1 && terms.iter().any(|term| name_search::same(term, name))
 }
 
 /// A name without the dots above it.
@@ -161,7 +207,9 @@ fn inside(display: &str) -> Vec<String> {
 impl Case {
     /// Adds what formulas among words say.
     fn add(&mut self, names: &NotesNames<'_>, (words, formulas): (&Sentence, &[String])) {
-        let begins = words.says_that_it_starts() || words.says(&FIRST);
+        // "To first order" says nothing of a begin.
+        let is_of_an_order = words.says_phrase(&["first order"]);
+        let begins = words.says_that_it_starts() || words.says(&FIRST) && !is_of_an_order;
         let rests = words.says_that_it_rests();
         let mut is_start = false;
         for formula in formulas {
@@ -185,6 +233,15 @@ impl Case {
                     self.has_value(names, member, value);
                 }
             }
+        }
+        // "Falls from the height $h$": the only coordinate begins there.
+        let mut all = names.coordinates();
+        if let (true, false, Some((only, _)), None) = (begins && rests, is_start, all.next(), all.next())
+            && words.says(&HEIGHT)
+            && let [place] = formulas
+            && names.is_constant(place)
+        {
+            is_start |= self.starts(names, &only.name.value, place);
         }
         if is_start && rests {
             for (declared, _) in names.coordinates() {
@@ -228,7 +285,14 @@ impl Case {
             self.throughout.push((member.to_owned(), value.to_owned()));
             return;
         }
-        self.assume.push(format!("{member} = {value}"));
+        // A name that displays have not, as of a constraint f_1 = 0, says nothing of them.
+        let is_known = |name: &Name| {
+            let shown = name.to_string();
+            KNOWN.contains(&shown.as_str()) || names.is_declared(&shown) || names.usages.iter().any(|u| u.name == *name)
+        };
+        if names.names_in(member).iter().all(is_known) {
+            self.assume.push(format!("{member} = {value}"));
+        }
     }
 
     /// Adds that the coordinates of a display do not change at the instant of which the words speak: "the turning points are the roots
@@ -242,6 +306,32 @@ impl Case {
             let stops = format!("\\dot{{{}}} = 0", declared.name.value);
             if !self.assume.contains(&stops) {
                 self.assume.push(stops);
+            }
+        }
+    }
+
+    /// Adds that coordinates have no acceleration, where the words say so of a relation between constants: "the first mass is not
+    /// accelerated, $\\ddot x = 0$, if", "the masses stay at rest if".
+    fn is_unaccelerated(&mut self, names: &NotesNames<'_>, at: usize, words: &Sentence) {
+        if names.has_coordinates(at) || names.mentions(at, "t") || names.introduces(at) {
+            return;
+        }
+        let acceleration = |one: &Declaration| format!("\\ddot{{{}}} = 0", one.name.value);
+        let is_zero = |name: &str, formula: &String| {
+            let formula: String = formula.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect();
+            let name: String = name.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect();
+            formula == format!("\\ddot{name}=0")
+        };
+        let said: Vec<&Declaration> = names
+            .coordinates()
+            .map(|(one, _)| one)
+            .filter(|one| words.formulas.iter().any(|formula| is_zero(&one.name.value, formula)))
+            .collect();
+        let all = || names.coordinates().map(|(one, _)| one).collect();
+        let said = if said.is_empty() && words.says_phrase(&UNACCELERATED) { all() } else { said };
+        for condition in said.into_iter().map(acceleration) {
+            if !self.assume.contains(&condition) {
+                self.assume.push(condition);
             }
         }
     }

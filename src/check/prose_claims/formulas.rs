@@ -150,13 +150,18 @@ fn equation(notes_names: &NotesNames<'_>, text: &str) -> Option<Said> {
     if is_chain || left.is_some() && is_value {
         return None;
     }
+    let is_momentum = |name: &Name| {
+        let is_of = |coordinate: &Name| name.subscript.concat() == coordinate.base && coordinate.subscript.is_empty();
+        name.base == "p" && notes_names.coordinates().any(|(_, coordinate)| is_of(&coordinate))
+    };
     let mut news: Vec<Name> = Vec::new();
     for name in notes_names.names_in(text) {
         let shown = name.to_string();
         let is_known = KNOWN.contains(&shown.as_str())
             || notes_names.is_declared(&shown)
             || notes_names.is_defined(&shown)
-            || name.base == "e";
+            || name.base == "e"
+            || is_momentum(&name);
         if !is_known && !news.contains(&name) {
             news.push(name);
         }

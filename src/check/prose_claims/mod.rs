@@ -16,6 +16,7 @@
 //! | `formulas` | names that formulas in sentences define, or tie to others |
 //! | `initial_values` | where a motion begins that is released from rest |
 //! | `conditions` | special cases, for displays that fail without them |
+//! | `rigid` | coordinates that a rigid connection keeps equal |
 //! | `special_cases` | which of these hold |
 //! | `sought` | equations for something that is sought, which nothing refutes |
 //!
@@ -31,6 +32,7 @@ mod initial_values;
 mod notes_names;
 mod places;
 mod quantities;
+mod rigid;
 mod sought;
 mod special_cases;
 pub(crate) mod words;
@@ -125,6 +127,7 @@ pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document
         None => check_in(run, &added(&with, notes, &special), notes)?,
     };
     said.extend(special);
+    rigid::judge(&quiet, (&with, notes), &mut found);
     if has_lagrangian(claims) {
         let is_claimed = |at: usize| said.iter().any(|claim| claim.displays.contains(&at));
         sought::leave_open(&NotesNames::of(claims, notes), is_claimed, &mut found);

@@ -23,8 +23,21 @@ fn is_letter_of_an_angle(name: &Name) -> bool {
 /// Whether a letter is an angle in some notes.
 fn is_usual_angle(name: &Name) -> bool {
     is_letter_of_an_angle(name)
-        || ["\\psi", "\\chi", "\\gamma", "\\delta", "\\epsilon", "\\varepsilon", "\\Theta", "\\Phi", "\\Psi", "i", "A", "B"]
-            .contains(&name.base.as_str())
+        || [
+            "\\psi",
+            "\\chi",
+            "\\gamma",
+            "\\delta",
+            "\\epsilon",
+            "\\varepsilon",
+            "\\Theta",
+            "\\Phi",
+            "\\Psi",
+            "i",
+            "A",
+            "B",
+        ]
+        .contains(&name.base.as_str())
 }
 
 /// The items that could be the argument of a function.
@@ -298,8 +311,7 @@ impl Reader<'_> {
                     let entry = self.symbols.find(name).map(|(id, _)| self.symbols.entry(id));
                     !self.symbols.open && entry.is_some_and(|entry| !entry.varies && entry.definition.is_none())
                 };
-                let moves =
-                    || self.symbols.find(second).is_some_and(|(id, _)| self.symbols.entry(id).varies);
+                let moves = || self.symbols.find(second).is_some_and(|(id, _)| self.symbols.entry(id).varies);
                 let scales = || is_place && is_number(first) && !is_usual_angle(first) && moves();
                 (is_rate || run.is_hyperbolic) && self.is_instant(second)
                     || ["k", "q", "\\kappa"].contains(&base) && is_place

@@ -127,9 +127,8 @@ impl Reader<'_> {
                 let entry = self.symbols.entry(*id);
                 entry.unread && entry.name.mentions(&base)
             };
-            let is_apart = bound.released.is_some()
-                && !depends_on(&body, bound.id)
-                && !body.symbols().iter().any(mentions_it);
+            let is_apart =
+                bound.released.is_some() && !depends_on(&body, bound.id) && !body.symbols().iter().any(mentions_it);
             let body = if is_apart { body } else { self.written_out(&body, bound.id)? };
             parts.push(at(&body, bound.id, &number));
         }
