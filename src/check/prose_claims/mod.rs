@@ -106,7 +106,7 @@ pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document
     let all = infer(claims, notes);
     let is_conserved = |one: &ProseClaim| one.claims.iter().any(|(_, claim)| claim.conserved.is_some());
     let conserved: Vec<ProseClaim> = all.iter().filter(|one| is_conserved(one)).cloned().collect();
-    let (mut said, brief) = standing(&quiet, (claims, notes), all);
+    let (mut said, brief) = standing(&quiet, (claims, notes), all, ProseClaim::may_stand);
     let dropped = conserved.into_iter().filter(|one| !said.iter().any(|kept| kept.displays == one.displays));
     let dropped: Vec<ProseClaim> = dropped.collect();
     let with = added(claims, notes, &said);
@@ -159,10 +159,11 @@ fn standing(
     run: &Run<'_>,
     (claims, notes): (&Claims, &Notes),
     mut said: Vec<ProseClaim>,
+    may_stand: fn(&mut ProseClaim, &Document, &Notes) -> bool,
 ) -> (Vec<ProseClaim>, Option<Document>) {
     let brief = Run { options: Options { explain: false, ..run.options }, ..*run };
     loop {
-        let (kept, document) = kept(&brief, (claims, notes), said, ProseClaim::may_stand);
+        let (kept, document) = kept(&brief, (claims, notes), said, may_stand);
         let with = added(claims, notes, &kept);
         let stands = |claim: &ProseClaim| {
             let mut displays = claim.displays.iter().filter_map(|at| notes.equations[*at].id());
@@ -197,7 +198,7 @@ fn tied_names(
     }
     let mut said = formulas::infer(&NotesNames::of(claims, notes));
     said.retain(|claim| claim.findings(found, notes).into_iter().any(lacks_a_name));
-    standing(run, (claims, notes), said)
+    standing(run, (claims, notes), said, ProseClaim::may_tie)
 }
 
 /// The claims that stand together, and the document with them. Where the document cannot be checked with them, there are none.
@@ -358,6 +359,13 @@ impl ProseClaim {
             true => findings.iter().any(|equation| passes(equation)),
             false => findings.iter().all(|equation| passes(equation) || may_refute(equation)),
         }
+    }
+
+    /// The same, of formulas in sentences, of which edits decide for new coordinates only.
+    fn may_tie(&mut self, found: &Document, notes: &Notes) -> bool {
+        let may_stand = self.may_stand(found, notes);
+        self.is_doubtful &= self.gives_coordinates;
+        may_stand
     }
 
     /// Whether a display is refuted that may be wrong for what the words say.
