@@ -47,6 +47,8 @@ mod preconditions;
 mod prose_claims;
 #[path = "checks/prose_formulas.rs"]
 mod prose_formulas;
+#[path = "checks/prose_motions.rs"]
+mod prose_motions;
 #[path = "checks/rates.rs"]
 mod rates;
 #[path = "checks/repairs.rs"]

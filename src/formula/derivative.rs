@@ -275,7 +275,8 @@ impl Differentiator<'_> {
             return Ok(self.sum(terms, &symbol(0)));
         }
         if let Some(formula) = entry.definition.as_ref().filter(|_| !is_fixed) {
-            if entry.squared || !entry.slots.is_empty() {
+            // The symbol of a name that is introduced by its square, ω² = k/m, stands for the square, as its formula does.
+            if !entry.slots.is_empty() {
                 return Err(NoDerivative::Unknown(id));
             }
             let mut formula = formula.as_ref().clone();

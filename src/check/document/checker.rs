@@ -118,6 +118,9 @@ impl Checker<'_> {
         for latex in &claim.implied {
             self.hypothesis(latex, false, &mut hypotheses)?;
         }
+        for latex in &claim.implied_throughout {
+            self.hypothesis(latex, true, &mut hypotheses)?;
+        }
         hypotheses[stated..].iter_mut().for_each(|hypothesis| hypothesis.implied = true);
         Ok(components::vectors(self.model, hypotheses))
     }

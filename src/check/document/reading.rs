@@ -97,7 +97,7 @@ pub(crate) fn read_all(
         });
         if let Some(waiting) = waiting.filter(|_| model.tie_components()) {
             let at = unread[waiting].0;
-            if !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), model) {
+            if !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), false, model) {
                 readings[at] = Some(accept(read(&texts[at], assigned[at], model), model));
             }
             pending.define_what_is_ready(model);
@@ -124,9 +124,10 @@ pub(crate) fn read_all(
                     break;
                 }
             }
-        } else if !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), model)
+        } else if !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), false, model)
             && !indices::declare(unread.iter().map(|(_, _, reading)| reading), model)
             && !unread.iter().any(|(at, _, reading)| integration_constants::declare(&texts[*at], reading, model))
+            && !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), true, model)
         {
             let read = readings.iter().enumerate().filter_map(|(at, reading)| Some((at, reading.as_ref()?)));
             let all = read.chain(unread.iter().map(|(at, _, reading)| (*at, reading)));
@@ -344,9 +345,35 @@ impl Pending<'_> {
 fn read(text: &str, claim: Option<&Claim>, model: &Model) -> (Symbols, Reading) {
     let mut symbols = model.symbols.clone();
     symbols.for_each = for_each(claim, model);
-    let reading = read_display(text, &mut symbols, &model.macros);
+    let mut reading = read_display(text, &mut symbols, &model.macros);
+    if let Some(with) = with_own_formulas(&reading, model) {
+        let for_each = symbols.for_each;
+        symbols = with;
+        symbols.for_each = for_each;
+        reading = read_display(text, &mut symbols, &model.macros);
+    }
     symbols.for_each = None;
     (symbols, reading)
+}
+
+/// The names with the formulas of energies that some statements of a display print and others differentiate: `H = …, \dot p =
+/// -\partial H/\partial x`. `None` where nothing is gained.
+fn with_own_formulas(reading: &Reading, model: &Model) -> Option<Symbols> {
+    let is_some_read = reading.statements.iter().any(Result::is_ok);
+    if !is_some_read || faults(reading).next().is_none() || !reading.introduced.is_empty() {
+        return None;
+    }
+    let given = |model: &Model| model.symbols.iter().filter(|(_, entry)| entry.definition.is_some()).count();
+    let mut with = model.clone();
+    let count = model.symbols.iter().count();
+    for statement in reading.statements.iter().flatten() {
+        // A name that the display adds is not known before it.
+        let is_known = |member: &Expr| member.symbols().iter().all(|(id, _)| id.0 < count);
+        if statement.members.iter().all(is_known) {
+            note_formula(statement, &mut with);
+        }
+    }
+    (given(&with) > given(model)).then_some(with.symbols)
 }
 
 /// Notes the formula by which the Hamiltonian or an energy is differentiated: the last member without velocities, as

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Node, Relation, SymbolId, text};
+use crate::formula::{Expr, Node, Relation, Sign, SymbolId, text};
 use crate::latex::{name_search, read_formula};
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
@@ -17,6 +17,7 @@ use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::term_fit;
 use crate::check::kinds::definitions::Approximations;
 use crate::check::kinds::limit;
+use crate::check::kinds::mechanics::equilibrium;
 use crate::check::kinds::series::{self, Read};
 use crate::check::kinds::small;
 use crate::check::model::Model;
@@ -51,6 +52,8 @@ impl Checker<'_> {
         place: Span,
         (from, context): (Span, &Context<'_>),
     ) -> Result<Finding> {
+        let expanded = self.expanded_solution(link, context)?;
+        let link = expanded.as_ref().unwrap_or(link);
         let link = &match series::of(link, claim.small.is_empty() && claim.limit.is_none(), self.model) {
             Read::Plain => link.clone(),
             Read::Unclear(why) => return Ok(context.finding(Code::NeedsLimitOrSmall, Verdict::Undecided, why)),
@@ -118,9 +121,20 @@ impl Checker<'_> {
             true => Ok(FirstOrder::NotMeant),
             false => Ok(FirstOrder::Judged(context.finding(Code::NotDecided, Verdict::Undecided, message.to_owned()))),
         };
-        let Some(places) = self.places_of(&said) else {
+        let Some(mut places) = self.places_of(&said) else {
             return open("this does not hold exactly, and it was not tried to first order about this place");
         };
+        if said.is_empty() {
+            places = self.places_of_distances([&link.lhs, &link.rhs].into_iter());
+        }
+        let has_letters = places.iter().any(|(_, value)| !value.symbols().is_empty());
+        // Of one coordinate, a place with letters is one of rest, which says what they are. Others may go on moving.
+        let is_alone = has_letters && self.model.coordinates.len() == 1;
+        let rest = if is_alone { equilibrium::rest_at(&places, context) } else { None };
+        let is_of_rest = rest.is_some();
+        let hypotheses: Vec<Hypothesis> =
+            context.hypotheses.iter().cloned().chain(rest.into_iter().flatten()).collect();
+        let context = &Context { hypotheses: &hypotheses, ..*context };
         let (small, rates) = self.small_motion(&said, &places);
         let close = Link { relation: Relation::Approximately, ..link.clone() };
         match small::of_motion(&close, &small, &rates, context) {
@@ -128,10 +142,8 @@ impl Checker<'_> {
                 let message = format!("about {}, this {}", self.shown(&places), linear.message);
                 Ok(FirstOrder::Judged(Finding { message, ..linear }))
             }
-            // A place with a letter is one of rest, or of a steady motion, under a condition that the claim need not contain.
-            Ok(linear)
-                if linear.code != Code::TooFewStates && places.iter().all(|(_, value)| value.symbols().is_empty()) =>
-            {
+            // A place with a letter may also be one of a steady motion, under a condition that the claim need not contain.
+            Ok(linear) if linear.code != Code::TooFewStates && (is_of_rest || !has_letters) => {
                 Ok(FirstOrder::Fails(self.shown(&places)))
             }
             _ => open(&format!(
@@ -149,8 +161,12 @@ impl Checker<'_> {
             let text = named.map_or(Some(&latex.value), |(_, all)| all.first().map(|latex| &latex.value));
             text.filter(|text| self.is_small(text)).cloned()
         };
-        let claimed = claim.assume.iter().chain(&claim.throughout).find_map(said);
-        claimed.or_else(|| prose::speaks_of_small(self.notes, span).then(String::new))
+        let claimed = claim.assume.iter().chain(&claim.throughout).chain(&claim.implied).find_map(said);
+        let is_coordinate = |text: &str| {
+            let mut names = self.model.coordinates.iter().map(|q| self.model.name(q.symbol));
+            names.any(|name| name_search::same(text, &name))
+        };
+        claimed.or_else(|| prose::speaks_of_small(self.notes, span, is_coordinate).then(String::new))
     }
 
     /// The ways in which a claim, or the words before its display, say that a motion about a place is small: the coordinates are, or
@@ -158,7 +174,17 @@ impl Checker<'_> {
     pub(crate) fn small_motion_of(&self, claim: &Claim, span: Span) -> Option<Vec<Vec<Expr>>> {
         let is_possible = claim.small.is_empty() && self.model.system.is_some();
         let said = self.says_small(claim, span).filter(|_| is_possible)?;
-        let (small, rates) = self.small_motion(&said, &self.places_of(&said)?);
+        let mut places = self.places_of(&said)?;
+        if said.is_empty() {
+            let display = self.notes.equations.iter().position(|display| display.body.contains(span));
+            let statements = display.map(|at| &self.readings[at].statements).into_iter().flatten().flatten();
+            places = self.places_of_distances(statements.flat_map(|statement| &statement.members));
+            // What a place with letters is, the families of states do not know.
+            if places.iter().any(|(_, value)| !value.symbols().is_empty()) {
+                return Some(Vec::new());
+            }
+        }
+        let (small, rates) = self.small_motion(&said, &places);
         let both = small.iter().chain(&rates).cloned().collect();
         Some(vec![small, both])
     }
@@ -185,6 +211,43 @@ impl Checker<'_> {
             places.extend(named.collect::<Option<Vec<SymbolId>>>()?.into_iter().map(|q| (q, value.clone())));
         }
         Some(places)
+    }
+
+    /// The places from which distances in formulas are measured: x_0, where ξ = x − x_0 is defined.
+    fn places_of_distances<'e>(&self, formulas: impl Iterator<Item = &'e Expr>) -> Vec<(SymbolId, Expr)> {
+        let mut found: Vec<(SymbolId, Expr)> = Vec::new();
+        for (id, _) in formulas.flat_map(Expr::symbols) {
+            let Some(Meaning::Defined(formula)) = self.model.meaning(id) else { continue };
+            let Some((q, place)) = self.distance(formula) else { continue };
+            if found.iter().all(|(known, _)| *known != q) {
+                found.push((q, place));
+            }
+        }
+        found
+    }
+
+    /// The coordinate and the place, where a formula is a coordinate less a place, which has constants only.
+    fn distance(&self, formula: &Expr) -> Option<(SymbolId, Expr)> {
+        let Node::Sum(terms) = &formula.node else { return None };
+        let [first, second] = terms.as_slice() else { return None };
+        let coordinate = first.expr.as_plain_symbol().filter(|id| self.model.is_coordinate(*id))?;
+        let is_fixed = second.expr.symbols().iter().all(|(id, _)| {
+            let is_constant = matches!(self.model.meaning(*id), Some(Meaning::Constant(_)));
+            is_constant || matches!(self.model.meaning(*id), Some(Meaning::Defined(_))) && !self.moves(*id)
+        });
+        let place = match second.sign {
+            Sign::Minus => second.expr.clone(),
+            Sign::Plus => second.expr.clone().negated(),
+        };
+        (first.sign == Sign::Plus && is_fixed).then_some((coordinate, place))
+    }
+
+    /// Whether a name depends on a coordinate or on the time.
+    fn moves(&self, id: SymbolId) -> bool {
+        let coordinates: Vec<SymbolId> =
+            self.model.coordinates.iter().chain(&self.model.varying).map(|q| q.symbol).collect();
+        let name = Expr::new(Node::Symbol { id, indices: Vec::new(), dots: 0 }, Span::default());
+        self.model.symbol_depends_on(id, &coordinates) || self.model.contains_time(&name)
     }
 
     /// These places in words; 0, if there is none.

@@ -4,7 +4,7 @@ use crate::code::Code;
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
 use crate::latex::{DefinedSymbol, Macros, Reading, read_display};
 use crate::notes::Display;
-use crate::notes::claims::{Claim, Holds, Spanned};
+use crate::notes::claims::{Claim, Holds};
 use crate::source::{Fault, Span};
 use crate::{Error, Result};
 
@@ -166,13 +166,13 @@ impl Checker<'_> {
         self.if_it_lasts(parts, claim, |lasting| self.parts_at_an_instant(place, reading, lasting, topic))
     }
 
-    /// Whether the words around a display say in which limit it holds, and it has no ≈: "when $M \\to \\infty$, $\\Omega = …$".
+    /// Whether the words around a display say in which limit it holds, or to which order, and it has no ≈: "when $M \\to \\infty$,
+    /// $\\Omega = …$".
     fn is_approached(&self, reading: &Reading, claim: &Claim) -> bool {
         let is_near = |statement: &Statement| {
             statement.relations.iter().any(|(relation, _)| *relation == Relation::Approximately)
         };
-        let is_of_prose = |limit: &Spanned<String>| limit.span == Span::default();
-        claim.limit.as_ref().is_some_and(is_of_prose) && !reading.statements.iter().flatten().any(is_near)
+        claim.is_near_by_prose() && !reading.statements.iter().flatten().any(is_near)
     }
 
     /// The same, with each hypothesis as the claim has it.
@@ -417,7 +417,10 @@ impl Checker<'_> {
                 Some(solution) => self.of_the_motion(solution, context)?,
                 None => identity::check(link, context)?,
             },
-            Relation::Approximately => self.approximation(link, claim, sign, (from, context))?,
+            Relation::Approximately => match self.solution_near(link, at, claim) {
+                Some(solution) => self.solution_to_an_order(&solution, claim, context)?,
+                None => self.approximation(link, claim, sign, (from, context))?,
+            },
             Relation::Proportional => context.finding(
                 Code::NotSupported,
                 Verdict::Unreadable,

@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Node, Relation, SymbolId, text};
+use crate::formula::{Expr, Node, Relation, Sign, SymbolId, text};
 use crate::latex::Reading;
 use crate::notes::claims::{Claim, Spanned};
 
@@ -12,9 +12,10 @@ use crate::check::judge::identity;
 use crate::check::kinds::initial_values;
 use crate::check::kinds::mechanics::same_motion;
 use crate::check::kinds::printed_solution::Solution;
+use crate::check::kinds::series;
 use crate::check::kinds::solution;
 use crate::check::model::claim::{Hypothesis, Link};
-use crate::check::model::meaning::Meaning;
+use crate::check::model::meaning::{Meaning, Variable};
 use crate::check::sample::context::{Context, Options};
 use crate::check::sample::outcome::run;
 use crate::check::sample::setting::FEWEST;
@@ -32,6 +33,62 @@ impl Checker<'_> {
         let found = Solution::of_link(link, self.model).or_else(|| self.constant_solution(link))?;
         let is_printed = || self.solutions().iter().any(|(_, known)| known.coordinate == found.coordinate);
         (found.dots < found.order || is_printed()).then_some(found)
+    }
+
+    /// The solution that a link with ≈ prints to some order in a small parameter.
+    pub(crate) fn solution_near(&self, link: &Link, at: usize, claim: &Claim) -> Option<Solution> {
+        let exact = Link { relation: Relation::Equal, ..link.clone() };
+        self.solution(&exact, at, claim).filter(|found| !claim.small.is_empty() && found.dots == 0)
+    }
+
+    /// The finding on a solution to some order in a small parameter: where position and velocity are those of the solution, the acceleration
+    /// on shell is its second derivative to this order.
+    ///
+    /// # Errors
+    /// When the system's mass matrix is singular.
+    pub(crate) fn solution_to_an_order(
+        &self,
+        found: &Solution,
+        claim: &Claim,
+        context: &Context<'_>,
+    ) -> Result<Finding> {
+        let name = text::plain(&self.model.name(found.coordinate));
+        if self.starts(claim) && !initial_values::holds_at_start(found, context)? {
+            let message = format!("the formula for {name} and its rate do not have the values of the start");
+            return Ok(context.finding(Code::SidesDiffer, Verdict::Refuted, message));
+        }
+        let rest = claim.assume.iter().filter(|latex| !self.is_start(latex)).cloned().collect();
+        let of_claim = self.hypotheses(&Claim { assume: rest, ..claim.clone() })?;
+        let beside = self.solutions_beside(Some(found.coordinate), context);
+        let others = beside.iter().flat_map(|(_, solution)| solution.hypotheses());
+        let hypotheses: Vec<Hypothesis> = of_claim.into_iter().chain(found.hypotheses()).chain(others).collect();
+        let claimed = found.claim();
+        // A constant in the formula is no term of its derivative.
+        let rhs = found.highest_rate(self.model).unwrap_or(claimed.rhs);
+        let link = Link { relation: Relation::Approximately, rhs, lhs: claimed.lhs, free: claimed.free };
+        let finding =
+            self.small(&link, claim, &Context { hypotheses: &hypotheses, on_shell: Some(true), ..*context })?;
+        let message = match finding.verdict {
+            verdict if verdict.holds() => format!("solves the equations of motion for {name}: {}", finding.message),
+            Verdict::Refuted => {
+                format!("this does not satisfy the equations of motion for {name} to this order: {}", finding.message)
+            }
+            _ => return Ok(finding),
+        };
+        Ok(Finding { message, ..finding })
+    }
+
+    /// A link in which a coordinate is an expansion, with the formula of its printed solution in place of the coordinate:
+    /// `x(t) = a - \\frac12 gt^2 + O(t^4)` after `x(t) = …`. `None` where no solution is printed that passes.
+    pub(crate) fn expanded_solution(&self, link: &Link, context: &Context<'_>) -> Result<Option<Link>> {
+        let coordinate = link.lhs.as_plain_symbol().filter(|id| self.model.is_coordinate(*id));
+        let Some(coordinate) = coordinate.filter(|_| series::has_rest(&link.rhs)) else { return Ok(None) };
+        let beside = self.solutions_beside(None, context);
+        let Some((_, known)) = beside.into_iter().find(|(_, known)| known.coordinate == coordinate) else {
+            return Ok(None);
+        };
+        let is_one = !series::has_rest(&known.formula) && self.is_solved_by(&known, context)?;
+        Ok(is_one.then(|| Link { lhs: known.formula, ..link.clone() }))
     }
 
     /// The solution of a link by which a coordinate is constant, beside a solution for another one.
@@ -53,10 +110,17 @@ impl Checker<'_> {
             let statements = reading.statements.iter().flatten().filter(|statement| !statement.relations.is_empty());
             // `x_1 = x_3 = f(t)` is a solution for each.
             let first = statements.flat_map(|statement| {
-                let names = self.leading_coordinates(statement).max(1);
-                let value = statement.members.get(names);
-                statement.members[..names].iter().filter_map(move |name| {
-                    let link = self.link(name, statement.relations[0].0, value?).ok()?;
+                let mut names = self.leading_coordinates(statement);
+                if names.len() < 2 {
+                    names = statement.members.first().map(|first| (first.clone(), Sign::Plus)).into_iter().collect();
+                }
+                let value = statement.members.get(names.len());
+                names.into_iter().filter_map(move |(name, sign)| {
+                    let value = match sign {
+                        Sign::Plus => value?.clone(),
+                        Sign::Minus => value?.clone().negated(),
+                    };
+                    let link = self.link(&name, statement.relations[0].0, &value).ok()?;
                     Solution::of_link_or_constant(&link, self.model).filter(|found| found.dots == 0)
                 })
             });
@@ -152,6 +216,23 @@ impl Checker<'_> {
         Ok(if alone.verdict.holds() { alone } else { self.depends_on_refuted(at, context) })
     }
 
+    /// Whether a display gives something the value 0 directly after solutions for all coordinates, on the motion that these print: "and then
+    /// `S = 0`".
+    fn is_of_the_last_solution(&self, link: &Link, beside: &[(usize, Solution)], context: &Context<'_>) -> bool {
+        let here = self.notes.equations.iter().position(|display| display.body.contains(context.span));
+        let Some(last) = here.and_then(|here| here.checked_sub(1)) else { return false };
+        let printed: Vec<&Solution> = beside.iter().filter(|(at, _)| *at == last).map(|(_, known)| known).collect();
+        self.is_zero_on(link, &printed)
+    }
+
+    /// Whether a link gives a name the value 0, beside solutions for all coordinates.
+    fn is_zero_on(&self, link: &Link, printed: &[&Solution]) -> bool {
+        let is_given = |q: &Variable| printed.iter().any(|known| known.coordinate == q.symbol);
+        link.rhs.is_zero()
+            && link.lhs.as_plain_symbol().is_some_and(|id| !self.model.is_coordinate(id))
+            && self.model.coordinates.iter().all(is_given)
+    }
+
     /// The finding on what rests on the solution of a display, which is refuted.
     fn depends_on_refuted(&self, at: usize, context: &Context<'_>) -> Finding {
         let number = shown(&self.notes.equations[at]);
@@ -161,8 +242,11 @@ impl Checker<'_> {
 
     /// Whether a link may be an orbit, or may hold along a printed solution.
     pub(crate) fn is_along_the_motion(&self, link: &Link) -> bool {
+        let printed = self.solutions();
         let shares = |(_, known): &(usize, Solution)| known.shares_a_constant_of_integration(link, self.model);
-        solution::is_an_orbit(link, self.model) || self.solutions().iter().any(shares)
+        solution::is_an_orbit(link, self.model)
+            || printed.iter().any(shares)
+            || self.is_zero_on(link, &printed.iter().map(|(_, known)| known).collect::<Vec<_>>())
     }
 
     /// Whether a printed solution passes.
@@ -337,6 +421,9 @@ impl Checker<'_> {
         if let Some(orbit) = solution::orbit(link, context)? {
             return Ok(orbit);
         }
+        if let Some(implicit) = solution::implicit(link, context)? {
+            return Ok(implicit);
+        }
         let mut beside = self.solutions_beside(None, context);
         if self.model.system.is_none() {
             // Laws move each coordinate on its own, unless they contain several.
@@ -347,7 +434,8 @@ impl Checker<'_> {
             };
             beside.retain(|(_, known)| concerns(known));
         }
-        if !beside.iter().any(|(_, solution)| solution.shares_a_constant_of_integration(link, self.model)) {
+        let shares = |(_, solution): &(usize, Solution)| solution.shares_a_constant_of_integration(link, self.model);
+        if !beside.iter().any(shares) && !self.is_of_the_last_solution(link, &beside, context) {
             return Ok(found);
         }
         // Only what solves the equations of motion can be a hypothesis.

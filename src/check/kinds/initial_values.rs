@@ -13,6 +13,7 @@ use crate::formula::{Expr, Node, Relation};
 
 use crate::check::judge::identity;
 use crate::check::kinds::mechanics::energy_of_start;
+use crate::check::kinds::printed_solution::Solution;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
@@ -53,6 +54,23 @@ pub(crate) fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     Ok(found)
+}
+
+/// Whether a printed solution has the position and the velocity of a start that the hypotheses of the context give at the time 0.
+///
+/// # Errors
+/// When no state can be drawn.
+pub(crate) fn holds_at_start(solution: &Solution, context: &Context<'_>) -> Result<bool> {
+    let hypotheses: Vec<Hypothesis> =
+        context.hypotheses.iter().map(|known| Hypothesis { implied: true, ..known.clone() }).collect();
+    let context = Context { hypotheses: &hypotheses, on_shell: Some(true), ..context.quick() };
+    for link in [solution.link(0), solution.link(1)] {
+        let ensemble = context.ensemble(context.mode(true, &[&link.lhs, &link.rhs]), false, FEWEST)?;
+        if !run(&link, &ensemble.states).is_ok_and(|found| found.failure.is_none() && found.points > 0) {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// Whether a coordinate of a link stays where it is along the motion that starts like this, and does not along each motion.

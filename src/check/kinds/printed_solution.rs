@@ -1,5 +1,7 @@
 //! A printed solution of the motion: what it says, its constants of integration, and what follows for one instant.
 
+use crate::formula::derivative::{self, Scope};
+use crate::formula::tree::Variable;
 use crate::formula::{Expr, Node, Relation, SymbolId};
 
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
@@ -52,6 +54,20 @@ impl Solution {
         Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() }
     }
 
+    /// The highest derivative in the equation of motion of its formula by the time, written out.
+    pub(crate) fn highest_rate(&self, model: &Model) -> Option<Expr> {
+        let (time, _) = model.symbols.find(model.symbols.time.as_ref()?)?;
+        let by = Variable { id: time, indices: Vec::new(), dots: 0 };
+        let scope = Scope { symbols: &model.symbols, fixed: &[] };
+        let span = self.formula.span;
+        let mut found = self.formula.clone();
+        for _ in self.dots..self.order {
+            found = derivative::partial(&found, &by, scope, span).ok()?;
+        }
+        found.move_to(span);
+        Some(found)
+    }
+
     /// Whether a link contains one of its constants of integration.
     pub(crate) fn shares_a_constant_of_integration(&self, link: &Link, model: &Model) -> bool {
         let drawn = free_symbols::drawn(&[&link.lhs, &link.rhs], model);
@@ -64,7 +80,7 @@ impl Solution {
     }
 
     /// The claim: the highest derivative on shell is that of the formula.
-    pub(super) fn claim(&self) -> Link {
+    pub(crate) fn claim(&self) -> Link {
         self.link(self.order.max(self.dots))
     }
 }

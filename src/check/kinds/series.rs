@@ -54,7 +54,10 @@ pub(crate) fn of(link: &Link, is_inferred: bool, model: &Model) -> Read {
     if !is_inferred {
         return Read::Cut(cut);
     }
+    // Where no name is drawn at random, the time may be small.
+    let time = model.symbols.time.as_ref().and_then(|time| model.symbols.find(time)).map(|(id, _)| id);
     let names = drawn(&[&link.lhs, &link.rhs], model);
+    let names: Vec<SymbolId> = names.iter().copied().chain(time.filter(|id| !names.contains(id))).collect();
     let is_number = |id: &SymbolId| model.symbols.entry(*id).slots.is_empty();
     let found = names.into_iter().filter(is_number).find_map(|small| {
         let orders = [&link.lhs, &link.rhs].map(|side| last_order(side, small, model));

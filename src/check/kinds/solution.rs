@@ -242,6 +242,41 @@ pub(crate) fn is_an_orbit(link: &Link, model: &Model) -> bool {
         && link.free.is_empty()
 }
 
+/// Whether a link may print a solution that is not solved for its coordinate: `\\sin\\frac\\theta2 = \\tanh\\omega_0t`, a formula of one coordinate
+/// on the left, and on the right the time, and no coordinate but in names of constants of the motion.
+fn is_implicit(link: &Link, model: &Model) -> bool {
+    let moves = |(id, _): &(SymbolId, u8)| model.is_coordinate(*id);
+    let left: Vec<(SymbolId, u8)> = link.lhs.symbols().into_iter().filter(moves).collect();
+    let is_one = matches!(left.as_slice(), [(_, 0)]);
+    is_one
+        && model.coordinates.len() == 1
+        && is_equality(link.relation)
+        && link.free.is_empty()
+        && link.lhs.as_plain_symbol().is_none()
+        && !model.contains_time(&link.lhs)
+        && model.contains_time(&link.rhs)
+        && !link.rhs.symbols().iter().any(moves)
+}
+
+/// The finding that a link gives the motion without being solved for the coordinate; `None`, if it prints no such relation or the motion does
+/// not stay on it.
+///
+/// # Errors
+/// When the system's mass matrix is singular.
+pub(crate) fn implicit(link: &Link, context: &Context<'_>) -> Result<Option<Finding>> {
+    let model = context.model;
+    if !is_implicit(link, model) {
+        return Ok(None);
+    }
+    // The energy of the motion in the formula leaves one instant free, and not two constants.
+    let has_energy =
+        link.rhs.symbols().iter().any(|(id, _)| {
+            model.coordinates.iter().any(|coordinate| model.symbol_depends_on(*id, &[coordinate.symbol]))
+        });
+    let found = stays_on(link, if has_energy { 0 } else { 1 }, context)?;
+    Ok(found.map(|finding| Finding { message: "solves the equations of motion".to_owned(), ..finding }))
+}
+
 /// The finding that a relation between coordinates is an orbit of the motion; `None`, if the link prints no such relation or it
 /// is no orbit.
 ///
@@ -251,17 +286,27 @@ pub(crate) fn orbit(link: &Link, context: &Context<'_>) -> Result<Option<Finding
     if !is_an_orbit(link, context.model) {
         return Ok(None);
     }
-    let rate = |side: &Expr, order: u8| Expr::new(Node::TimeDerivative(order, Box::new(side.clone())), side.span);
+    let found = stays_on(link, 1, context)?;
+    Ok(found.map(|finding| Finding { message: "is an orbit of the motion".to_owned(), ..finding }))
+}
+
+/// The finding that a motion for which a relation and its rates up to an order hold at an instant stays on it, if it does: the next rate
+/// holds too.
+fn stays_on(link: &Link, order: u8, context: &Context<'_>) -> Result<Option<Finding>> {
+    let rate = |side: &Expr, order: u8| match order {
+        0 => side.clone(),
+        order => Expr::new(Node::TimeDerivative(order, Box::new(side.clone())), side.span),
+    };
     let derived = |order: u8| Link { lhs: rate(&link.lhs, order), rhs: rate(&link.rhs, order), ..link.clone() };
-    let on_it = [link.clone(), derived(1)].map(|link| Hypothesis::of(link, false));
+    let on_it = (0..=order).map(|order| Hypothesis::of(derived(order), false));
     let hypotheses: Vec<Hypothesis> = context.hypotheses.iter().cloned().chain(on_it).collect();
     let context = Context { hypotheses: &hypotheses, on_shell: Some(true), ..*context };
     // Most texts that are tried in the place of an orbit fail at the first state.
-    let claim = derived(2);
+    let claim = derived(order + 1);
     let ensemble = context.ensemble(context.mode(true, &[&claim.lhs, &claim.rhs]), false, FEWEST)?;
     if run(&claim, &ensemble.states).is_ok_and(|outcome| outcome.failure.is_some()) {
         return Ok(None);
     }
     let finding = identity::check(&claim, &context)?;
-    Ok(finding.verdict.holds().then(|| Finding { message: "is an orbit of the motion".to_owned(), ..finding }))
+    Ok(finding.verdict.holds().then_some(finding))
 }

@@ -10,13 +10,19 @@ use crate::latex::{name_search, names};
 use crate::notes::Notes;
 use crate::notes::claims::{Claim, Declaration, Range, Spanned};
 
+use crate::check::document::inferred::prose::body_of;
+
+use super::constants::KNOWN;
 use super::notes_names::NotesNames;
 use super::places::is_value_of;
-use super::words::{PASSING, REST, Sentence};
+use super::words::{PASSING, Sentence};
 use super::{ProseClaim, spanned};
 
 /// Words for the begin of a motion beside those for a release, as they begin.
 const FIRST: [&str; 5] = ["first", "initial", "anfang", "anfäng", "début"];
+
+/// Words for a place from which something falls.
+const HEIGHT: [&str; 3] = ["height", "höhe", "hauteur"];
 
 /// What stands in formulas that say what a name is, and in no value.
 const FORMULAS: [&str; 3] = ["\\dot", "\\sqrt", "("];
@@ -24,6 +30,22 @@ const FORMULAS: [&str; 3] = ["\\dot", "\\sqrt", "("];
 /// Words for the rate of an angle, as they begin.
 const TURNS: [&str; 9] =
     ["angular", "goes", "turn", "rotat", "revol", "precess", "winkelgeschw", "umläuf", "angulaire"];
+
+/// Phrases for what is not accelerated, each word as it begins.
+const UNACCELERATED: [&str; 9] = [
+    "not accelerated",
+    "no acceleration",
+    "acceleration vanish",
+    "accelerations vanish",
+    "acceleration is zero",
+    "stay at rest",
+    "stays at rest",
+    "remain at rest",
+    "remains at rest",
+];
+
+/// Words for the order of an expansion, each at its place.
+const ORDERS: [&str; 4] = ["zeroth", "first", "second", "third"];
 
 /// Where conditions are sought, from near to far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +70,8 @@ struct Case {
     assume: Vec<String>,
     /// A limit.
     limit: Option<String>,
+    /// A constant in powers of which formulas are expanded, with the order.
+    small: Option<(String, u32)>,
     /// Constants that only these formulas name.
     constants: Vec<(String, Range)>,
 }
@@ -69,6 +93,10 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
             case.add(names, (words, &words.formulas));
             case.turns(names, display, words);
             case.stops(names, at, words);
+            if display == at {
+                case.small = order_of(names, words).or(case.small);
+                case.is_unaccelerated(names, at, words);
+            }
         }
         if let Some(words) = sentences.last() {
             case.add(names, (words, &inside(&names.notes.equations[display].text)));
@@ -81,11 +109,16 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
     } else {
         text.split_once(':').map_or(text.as_str(), |(_, rest)| rest)
     };
-    let is_printed = |name: &str| names.has_name(printed, without_dots(name));
+    let distances = distances(names, printed);
+    let is_printed = |name: &str| {
+        let name = without_dots(name.split('(').next().unwrap_or(name).trim());
+        names.has_name(printed, name) || distances.iter().any(|formula| is_a_term(name, formula))
+    };
     case.throughout.retain(|(of, _)| !is_printed(of));
     // That something does not change says nothing of its value.
     let is_rate = |of: &str| of.starts_with("\\dot") && !printed.contains("\\dot");
-    let may_stay = |of: &str| of.contains("(0)") || is_rate(of) || !is_printed(of.trim());
+    let is_a_start = |of: &str| of.contains("(0)") && distances.is_empty();
+    let may_stay = |of: &str| is_a_start(of) || is_rate(of) || !is_printed(of.trim());
     case.assume.retain(|said| said.split_once('=').is_none_or(|(of, _)| may_stay(of)));
     // The same of a limit, but for a relation that says itself that it is near.
     let is_near = ["\\approx", "\\simeq", "\\sim"].iter().any(|sign| printed.contains(sign));
@@ -96,12 +129,18 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
         limit: case.limit.map(spanned),
         ..Claim::default()
     };
+    if let Some((name, order)) = case.small.filter(|(name, order)| *order == 0 || is_printed(name)) {
+        claim.small = vec![spanned(name)];
+        claim.order = Some(spanned(order));
+    }
     claim.throughout = case.throughout.into_iter().map(|(of, value)| spanned(format!("{of} = {value}"))).collect();
     if claim == Claim::default() {
         return None;
     }
-    let said: Vec<&str> =
-        claim.throughout.iter().chain(&claim.assume).chain(&claim.limit).map(|text| text.value.as_str()).collect();
+    let order = claim.order.as_ref().map(|order| order.value);
+    let said = claim.throughout.iter().chain(&claim.assume).chain(&claim.limit).map(|text| text.value.clone());
+    let small = claim.small.iter().zip(order).map(|(name, order)| format!("to order {order} in {}", name.value));
+    let said: Vec<String> = said.chain(small).collect();
     let id = names.notes.equations[at].id()?;
     Some(ProseClaim {
         why: format!("({id}) is about the case {}, as the words around it say", said.join(", ")),
@@ -110,6 +149,25 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
         displays: vec![at],
         ..ProseClaim::default()
     })
+}
+
+/// The formulas by which sentences define names that a text prints: x − x_0 for ξ.
+fn distances<'n>(names: &'n NotesNames<'_>, printed: &str) -> Vec<&'n str> {
+    let inline =
+        names.notes.inline.iter().filter_map(|span| Some(names.notes.source.slice(body_of(names.notes, *span)?)));
+    let said = inline.filter_map(|text| text.split_once('='));
+    let defined = names.claims.define.iter().map(|(name, formula)| (name.value.as_str(), formula.value.as_str()));
+    let is_of_it = |(name, formula): &(&str, &str)| {
+        let is_name = names::parse(name.trim()).is_some() && names.has_name(printed, name.trim());
+        is_name && !formula.contains("\\dot") && names.coordinates().any(|(one, _)| is_a_term(&one.name.value, formula))
+    };
+    said.chain(defined).filter(is_of_it).map(|(_, formula)| formula).collect()
+}
+
+/// Whether a name by itself is one of several terms of a formula.
+fn is_a_term(name: &str, formula: &str) -> bool {
+    let terms: Vec<&str> = formula.split(['+', '-']).map(|term| term.trim().trim_end_matches([',', '.'])).collect();
+    terms.len() > 1 && terms.iter().any(|term| name_search::same(term, name))
 }
 
 /// A name without the dots above it.
@@ -149,8 +207,10 @@ fn inside(display: &str) -> Vec<String> {
 impl Case {
     /// Adds what formulas among words say.
     fn add(&mut self, names: &NotesNames<'_>, (words, formulas): (&Sentence, &[String])) {
-        let begins = words.says_that_it_starts() || words.says(&FIRST);
-        let rests = words.has_word(&REST);
+        // "To first order" says nothing of a begin.
+        let is_of_an_order = words.says_phrase(&["first order"]);
+        let begins = words.says_that_it_starts() || words.says(&FIRST) && !is_of_an_order;
+        let rests = words.says_that_it_rests();
         let mut is_start = false;
         for formula in formulas {
             if let Some(limit) = limit(formula) {
@@ -173,6 +233,15 @@ impl Case {
                     self.has_value(names, member, value);
                 }
             }
+        }
+        // "Falls from the height $h$": the only coordinate begins there.
+        let mut all = names.coordinates();
+        if let (true, false, Some((only, _)), None) = (begins && rests, is_start, all.next(), all.next())
+            && words.says(&HEIGHT)
+            && let [place] = formulas
+            && names.is_constant(place)
+        {
+            is_start |= self.starts(names, &only.name.value, place);
         }
         if is_start && rests {
             for (declared, _) in names.coordinates() {
@@ -216,7 +285,14 @@ impl Case {
             self.throughout.push((member.to_owned(), value.to_owned()));
             return;
         }
-        self.assume.push(format!("{member} = {value}"));
+        // A name that displays have not, as of a constraint f_1 = 0, says nothing of them.
+        let is_known = |name: &Name| {
+            let shown = name.to_string();
+            KNOWN.contains(&shown.as_str()) || names.is_declared(&shown) || names.usages.iter().any(|u| u.name == *name)
+        };
+        if names.names_in(member).iter().all(is_known) {
+            self.assume.push(format!("{member} = {value}"));
+        }
     }
 
     /// Adds that the coordinates of a display do not change at the instant of which the words speak: "the turning points are the roots
@@ -230,6 +306,32 @@ impl Case {
             let stops = format!("\\dot{{{}}} = 0", declared.name.value);
             if !self.assume.contains(&stops) {
                 self.assume.push(stops);
+            }
+        }
+    }
+
+    /// Adds that coordinates have no acceleration, where the words say so of a relation between constants: "the first mass is not
+    /// accelerated, $\\ddot x = 0$, if", "the masses stay at rest if".
+    fn is_unaccelerated(&mut self, names: &NotesNames<'_>, at: usize, words: &Sentence) {
+        if names.has_coordinates(at) || names.mentions(at, "t") || names.introduces(at) {
+            return;
+        }
+        let acceleration = |one: &Declaration| format!("\\ddot{{{}}} = 0", one.name.value);
+        let is_zero = |name: &str, formula: &String| {
+            let formula: String = formula.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect();
+            let name: String = name.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect();
+            formula == format!("\\ddot{name}=0")
+        };
+        let said: Vec<&Declaration> = names
+            .coordinates()
+            .map(|(one, _)| one)
+            .filter(|one| words.formulas.iter().any(|formula| is_zero(&one.name.value, formula)))
+            .collect();
+        let all = || names.coordinates().map(|(one, _)| one).collect();
+        let said = if said.is_empty() && words.says_phrase(&UNACCELERATED) { all() } else { said };
+        for condition in said.into_iter().map(acceleration) {
+            if !self.assume.contains(&condition) {
+                self.assume.push(condition);
             }
         }
     }
@@ -277,6 +379,25 @@ fn limit(formula: &str) -> Option<String> {
     (is_end && names::parse(name).is_some()).then(|| format!("{name} \\to {end}"))
 }
 
+/// The constant in powers of which words say that something is expanded, with the order: "to first order in $\epsilon$", "neglecting terms
+/// of order $\epsilon^2$".
+fn order_of(names: &NotesNames<'_>, words: &Sentence) -> Option<(String, u32)> {
+    let is_one = |name: &str| names.is_constant(name) && coordinate(names, name).is_none();
+    let neglected = |formula: &String| {
+        let inner = formula.trim().trim_start_matches(['O', '(', '{', ' ']).trim_end_matches([')', ' ']);
+        let (name, power) = inner.split_once('^')?;
+        let power: u32 = power.trim_matches(['{', '}', ' ']).parse().ok()?;
+        (power > 0 && is_one(name.trim())).then(|| (name.trim().to_owned(), power - 1))
+    };
+    if words.says(&["neglect", "ignor", "omit", "dropping", "up to"]) && words.says(&["order", "term"]) {
+        return words.formulas.iter().find_map(neglected);
+    }
+    let order = ORDERS.iter().position(|one| words.says_phrase(&[format!("{one} order in").as_str()]))?;
+    let mut constants = words.formulas.iter().filter(|formula| is_one(formula));
+    let (name, None) = (constants.next()?, constants.next()) else { return None };
+    Some((name.clone(), u32::try_from(order).ok()?))
+}
+
 /// Adds the conditions of a claim to another one, which keeps its own.
 pub(super) fn join(known: &mut Claim, new: &Claim) {
     let add = |known: &mut Vec<Spanned<String>>, new: &[Spanned<String>]| {
@@ -287,4 +408,8 @@ pub(super) fn join(known: &mut Claim, new: &Claim) {
     add(&mut known.assume, &new.assume);
     add(&mut known.throughout, &new.throughout);
     known.limit = known.limit.take().or_else(|| new.limit.clone());
+    if known.small.is_empty() {
+        known.small.clone_from(&new.small);
+        known.order.clone_from(&new.order);
+    }
 }

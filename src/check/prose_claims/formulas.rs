@@ -1,8 +1,9 @@
 //! Names that formulas in sentences tie to others: "for $u = x - vt$", "where $\tan\alpha = b/a$ is the slope", "in polar coordinates,
 //! $x = r\cos\theta$ and $y = r\sin\theta$".
 //!
-//! A name that stands alone on the left is defined by its formula. In any other equation the new names are constants, and the equation
-//! is a hypothesis of the displays that have them.
+//! A name that stands alone on the left is defined by its formula, and so is the ξ of `x = x_0 + \xi`. Where formulas give old coordinates as
+//! formulas of as many new names, these are new coordinates. In any other equation the new names are constants, and the equation is a
+//! hypothesis of the displays that have them.
 
 use crate::formula::symbols::Name;
 use crate::latex::names;
@@ -11,9 +12,13 @@ use crate::source::Span;
 
 use crate::check::document::inferred::prose::{body_of, follows_condition, is_announced};
 
+use super::conditions::coordinate;
 use super::constants::KNOWN;
 use super::notes_names::NotesNames;
 use super::{ProseClaim, spanned};
+
+/// The letters of distances from a point or an axis, which are positive.
+const RADII: [&str; 4] = ["r", "R", "\\rho", "\\varrho"];
 
 /// An equation in a sentence.
 struct Said {
@@ -22,8 +27,35 @@ struct Said {
     may_be_a_case: bool,
     /// The name that is its left side.
     left: Option<Name>,
+    /// Whether it gave a coordinate before it was solved for the new name.
+    is_distance: bool,
     /// The names in it that nothing else says anything of.
     news: Vec<Name>,
+}
+
+impl Said {
+    /// Whether it gives a coordinate, on its left side, as a formula of new names.
+    fn gives_a_coordinate(&self, notes_names: &NotesNames<'_>) -> bool {
+        let left = self.text.split('=').next().unwrap_or_default();
+        coordinate(notes_names, left.trim()).is_some()
+    }
+
+    /// Where it gives a coordinate as a sum of a new name and other terms, the new name is the coordinate less these.
+    fn solve_for_a_distance(&mut self, notes_names: &NotesNames<'_>) {
+        let ([name], true) = (self.news.as_slice(), self.gives_a_coordinate(notes_names)) else { return };
+        let Some((left, right)) = self.text.split_once('=') else { return };
+        let is_it = |text: &str| names::parse(text.trim()).is_some_and(|(parsed, dots)| dots == 0 && parsed == *name);
+        let ends = [right.rsplit_once('+'), right.split_once('+').map(|(first, rest)| (rest, first))];
+        let place = ends.into_iter().flatten().find(|(_, one)| is_it(one)).map(|(place, _)| place.trim());
+        // A sum of one level, in which nothing else has the name.
+        let is_plain = |place: &&str| {
+            let depth = |open: char, close: char| place.matches(open).count() == place.matches(close).count();
+            depth('{', '}') && depth('(', ')') && !notes_names.has_name(place, &name.to_string())
+        };
+        let Some(place) = place.filter(|place| !place.is_empty()).filter(is_plain) else { return };
+        let text = format!("{name} = {} - \\left({place}\\right)", left.trim());
+        (self.left, self.text, self.is_distance) = (Some(name.clone()), text, true);
+    }
 }
 
 /// The definitions and the hypotheses that formulas in sentences state.
@@ -38,7 +70,8 @@ pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<ProseClaim> {
     let mut found = Vec::new();
     // The first formula of a name defines it.
     let mut defined: Vec<Name> = Vec::new();
-    for one in &said {
+    for one in &mut said {
+        one.solve_for_a_distance(notes_names);
         let Some(left) = one.left.clone().filter(|left| one.news == [left.clone()] && !defined.contains(left)) else {
             continue;
         };
@@ -50,6 +83,7 @@ pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<ProseClaim> {
             displays,
             is_said: !one.may_be_a_case,
             is_enough: one.may_be_a_case,
+            gives_coordinates: one.is_distance,
             ..ProseClaim::default()
         });
         defined.push(left);
@@ -69,15 +103,28 @@ pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<ProseClaim> {
             continue;
         }
         let is_said = !group.iter().any(|one| one.may_be_a_case);
+        let are_coordinates = news.len() == group.len() && group.iter().all(|one| one.gives_a_coordinate(notes_names));
         let texts: Vec<String> = group.into_iter().map(|one| one.text).collect();
-        let claim = Claim { assume: texts.iter().cloned().map(spanned).collect(), ..Claim::default() };
+        let hypotheses = texts.iter().cloned().map(spanned).collect();
+        let claim = match are_coordinates {
+            true => Claim { implied_throughout: hypotheses, ..Claim::default() },
+            false => Claim { assume: hypotheses, ..Claim::default() },
+        };
+        let range = |name: &Name| match are_coordinates && RADII.contains(&name.base.as_str()) {
+            true => Range::Positive,
+            false => Range::Any,
+        };
+        let ranges: Vec<(String, Range)> = news.iter().map(|name| (name.to_string(), range(name))).collect();
+        let (varying, constants) = if are_coordinates { (ranges, Vec::new()) } else { (Vec::new(), ranges) };
         found.push(ProseClaim {
             why: format!("{}, as a sentence says", texts.join(" and ")),
-            constants: news.iter().map(|name| (name.to_string(), Range::Any)).collect(),
+            constants,
+            varying,
             claims: displays.iter().map(|at| (*at, claim.clone())).collect(),
             displays,
             is_said,
             is_enough: !is_said,
+            gives_coordinates: are_coordinates,
             ..ProseClaim::default()
         });
     }
@@ -103,13 +150,18 @@ fn equation(notes_names: &NotesNames<'_>, text: &str) -> Option<Said> {
     if is_chain || left.is_some() && is_value {
         return None;
     }
+    let is_momentum = |name: &Name| {
+        let is_of = |coordinate: &Name| name.subscript.concat() == coordinate.base && coordinate.subscript.is_empty();
+        name.base == "p" && notes_names.coordinates().any(|(_, coordinate)| is_of(&coordinate))
+    };
     let mut news: Vec<Name> = Vec::new();
     for name in notes_names.names_in(text) {
         let shown = name.to_string();
         let is_known = KNOWN.contains(&shown.as_str())
             || notes_names.is_declared(&shown)
             || notes_names.is_defined(&shown)
-            || name.base == "e";
+            || name.base == "e"
+            || is_momentum(&name);
         if !is_known && !news.contains(&name) {
             news.push(name);
         }
@@ -117,6 +169,7 @@ fn equation(notes_names: &NotesNames<'_>, text: &str) -> Option<Said> {
     (!news.is_empty()).then(|| Said {
         text: text.to_owned(),
         may_be_a_case: false,
+        is_distance: false,
         left: left.filter(|left| news.contains(left)),
         news,
     })

@@ -168,7 +168,7 @@ fn secular_equation(notes_names: &NotesNames<'_>, at: usize, words: &Sentence) -
     if !words.says(&SECULAR)
         || gives_roots(words)
         || notes_names.has_coordinates(at)
-        || notes_names.equality(at).is_none()
+        || !notes_names.is_equality_of_determinants(at)
     {
         return None;
     }

@@ -9,7 +9,7 @@ use crate::notes::claims::Claim;
 use super::conditions::{coordinate, start_at};
 use super::notes_names::NotesNames;
 use super::places::Place;
-use super::words::{REST, Sentence};
+use super::words::Sentence;
 use super::{ProseClaim, spanned};
 
 /// The claims of the displays with the value of a coordinate from which a motion begins.
@@ -18,7 +18,7 @@ pub(super) fn infer(notes_names: &NotesNames<'_>, places: &[Place]) -> Vec<Prose
     let displays = notes_names.notes.equations.len();
     for at in 0..displays {
         let words = Sentence::paragraph(notes_names.notes, at);
-        if !words.says_that_it_starts() || !words.has_word(&REST) {
+        if !words.says_that_it_starts() || !words.says_that_it_rests() {
             continue;
         }
         let Some((coordinate, value)) = words.formulas.iter().find_map(|formula| value_of(notes_names, formula)) else {

@@ -16,6 +16,8 @@
 //! | `formulas` | names that formulas in sentences define, or tie to others |
 //! | `initial_values` | where a motion begins that is released from rest |
 //! | `conditions` | special cases, for displays that fail without them |
+//! | `rigid` | coordinates that a rigid connection keeps equal |
+//! | `special_cases` | which of these hold |
 //! | `sought` | equations for something that is sought, which nothing refutes |
 //!
 //! Knows the whole check of a document, [`check_in`], and no notes without claims.
@@ -30,7 +32,9 @@ mod initial_values;
 mod notes_names;
 mod places;
 mod quantities;
+mod rigid;
 mod sought;
+mod special_cases;
 pub(crate) mod words;
 
 use std::cell::OnceCell;
@@ -70,6 +74,8 @@ pub(crate) struct ProseClaim {
     refutes: Refutes,
     /// Constants, with their ranges.
     constants: Vec<(String, Range)>,
+    /// Names that vary with the time, with their ranges.
+    varying: Vec<(String, Range)>,
     /// Definitions, as under `define`.
     definitions: Vec<(String, String)>,
     /// What names mean, as under `means`.
@@ -82,6 +88,8 @@ pub(crate) struct ProseClaim {
     is_enough: bool,
     /// Whether a sentence states it outright. A display may then be wrong with it, or about a special case, if others pass.
     is_said: bool,
+    /// Whether it gives new coordinates by the old ones, so that one display that is refuted is compared with its edits.
+    gives_coordinates: bool,
     /// Whether a display of it is refuted, so that edits decide.
     is_doubtful: bool,
     /// What is said in the report.
@@ -98,7 +106,7 @@ pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document
     let all = infer(claims, notes);
     let is_conserved = |one: &ProseClaim| one.claims.iter().any(|(_, claim)| claim.conserved.is_some());
     let conserved: Vec<ProseClaim> = all.iter().filter(|one| is_conserved(one)).cloned().collect();
-    let (mut said, brief) = standing(&quiet, (claims, notes), all);
+    let (mut said, brief) = standing(&quiet, (claims, notes), all, ProseClaim::may_stand);
     let dropped = conserved.into_iter().filter(|one| !said.iter().any(|kept| kept.displays == one.displays));
     let dropped: Vec<ProseClaim> = dropped.collect();
     let with = added(claims, notes, &said);
@@ -110,7 +118,7 @@ pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document
     let with = added(&with, notes, &formulas);
     let checked = checked.filter(|_| formulas.is_empty());
     let special = match read.as_ref().or(brief.as_ref()).or(checked.as_ref()) {
-        Some(found) => special_cases(&quiet, (&with, notes), found, &dropped),
+        Some(found) => special_cases::special_cases(&quiet, (&with, notes), found, &dropped),
         None => Vec::new(),
     };
     said.extend(formulas);
@@ -119,6 +127,7 @@ pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document
         None => check_in(run, &added(&with, notes, &special), notes)?,
     };
     said.extend(special);
+    rigid::judge(&quiet, (&with, notes), &mut found);
     if has_lagrangian(claims) {
         let is_claimed = |at: usize| said.iter().any(|claim| claim.displays.contains(&at));
         sought::leave_open(&NotesNames::of(claims, notes), is_claimed, &mut found);
@@ -140,7 +149,7 @@ pub(crate) fn with_passing(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Cla
     });
     let with = added(claims, notes, &said);
     let Some(found) = found.or_else(|| check_in(&brief, &with, notes).ok()) else { return with };
-    let (special, _) = cases(&brief, (&with, notes), &found, &[]);
+    let (special, _) = special_cases::cases(&brief, (&with, notes), &found, &[]);
     added(&with, notes, &special)
 }
 
@@ -150,10 +159,11 @@ fn standing(
     run: &Run<'_>,
     (claims, notes): (&Claims, &Notes),
     mut said: Vec<ProseClaim>,
+    may_stand: fn(&mut ProseClaim, &Document, &Notes) -> bool,
 ) -> (Vec<ProseClaim>, Option<Document>) {
     let brief = Run { options: Options { explain: false, ..run.options }, ..*run };
     loop {
-        let (kept, document) = kept(&brief, (claims, notes), said, ProseClaim::may_stand);
+        let (kept, document) = kept(&brief, (claims, notes), said, may_stand);
         let with = added(claims, notes, &kept);
         let stands = |claim: &ProseClaim| {
             let mut displays = claim.displays.iter().filter_map(|at| notes.equations[*at].id());
@@ -188,112 +198,7 @@ fn tied_names(
     }
     let mut said = formulas::infer(&NotesNames::of(claims, notes));
     said.retain(|claim| claim.findings(found, notes).into_iter().any(lacks_a_name));
-    let brief = Run { options: Options { explain: false, ..run.options }, ..*run };
-    kept(&brief, (claims, notes), said, ProseClaim::may_stand)
-}
-
-/// The claims that displays that fail are about special cases, which the words around them state. `dropped` are claims that
-/// something is conserved, which do not hold in general.
-fn special_cases(
-    run: &Run<'_>,
-    (claims, notes): (&Claims, &Notes),
-    found: &Document,
-    dropped: &[ProseClaim],
-) -> Vec<ProseClaim> {
-    let (mut special, doubtful) = cases(run, (claims, notes), found, dropped);
-    let with = added(claims, notes, &special);
-    special.extend(correctable(run, (&with, notes), doubtful));
-    special
-}
-
-/// The same, as far as the displays pass, and the claims that are refuted.
-fn cases(
-    run: &Run<'_>,
-    (claims, notes): (&Claims, &Notes),
-    found: &Document,
-    dropped: &[ProseClaim],
-) -> (Vec<ProseClaim>, Vec<ProseClaim>) {
-    let (mut special, mut doubtful) = (Vec::new(), Vec::new());
-    if !has_lagrangian(claims) {
-        return (special, doubtful);
-    }
-    let names = NotesNames::of(claims, notes);
-    let fails = |at: usize| {
-        let id = notes.equations[at].id();
-        let equation = found.equations.iter().find(|equation| Some(equation.id.as_str()) == id);
-        equation.is_some_and(|equation| !equation.ok && !equation.finding.is_untested_definition())
-    };
-    let dropped = |at: usize| dropped.iter().find(|one| one.displays.contains(&at));
-    let mut open: Vec<usize> =
-        (0..notes.equations.len()).filter(|at| names.is_free(*at) && (fails(*at) || dropped(*at).is_some())).collect();
-    let options = Options { explain: false, ..run.options };
-    let brief = Run { options, ..*run };
-    for scope in conditions::Scope::ALL {
-        let about = |at: usize| {
-            let mut case = conditions::infer(&names, at, scope)?;
-            if let Some(conserved) = dropped(at) {
-                case.claims.iter_mut().for_each(|(_, claim)| join(claim, &conserved.claims[0].1));
-            }
-            Some(case)
-        };
-        let said: Vec<ProseClaim> = open.iter().filter_map(|at| about(*at)).collect();
-        let (new, refuted) = tested(&brief, (&added(claims, notes, &special), notes), said);
-        open.retain(|at| !new.iter().any(|claim| claim.displays.contains(at)));
-        special.extend(new);
-        // The nearest words count.
-        let is_new = |claim: &ProseClaim| doubtful.iter().all(|other: &ProseClaim| other.displays != claim.displays);
-        let refuted: Vec<ProseClaim> = refuted.into_iter().filter(is_new).collect();
-        doubtful.extend(refuted);
-        doubtful.retain(|claim| open.contains(&claim.displays[0]));
-    }
-    (special, doubtful)
-}
-
-/// Which of some claims hold: their displays pass with them, and which are refuted. Those that do not fit their displays are neither.
-fn tested(
-    run: &Run<'_>,
-    (claims, notes): (&Claims, &Notes),
-    mut said: Vec<ProseClaim>,
-) -> (Vec<ProseClaim>, Vec<ProseClaim>) {
-    let mut refuted = Vec::new();
-    while !said.is_empty() {
-        let found = with_checker(run, &added(claims, notes, &said), notes, |checker| {
-            let verdict = |at: &usize| {
-                let equation = checker.equation(*at, checker.assigned[*at]).ok()?;
-                Some((equation.ok, is_refuted(&equation)))
-            };
-            Ok(said.iter().map(|claim| claim.displays.first().and_then(verdict)).collect::<Vec<_>>())
-        });
-        let Ok(found) = found else { break };
-        if found.iter().all(|verdict| matches!(verdict, Some((true, _)))) {
-            return (said, refuted);
-        }
-        let mut kept = Vec::new();
-        for (claim, verdict) in said.into_iter().zip(found) {
-            match verdict {
-                Some((true, _)) => kept.push(claim),
-                Some((false, true)) => refuted.push(claim),
-                Some((false, false)) | None => {}
-            }
-        }
-        said = kept;
-    }
-    (Vec::new(), refuted)
-}
-
-/// The claims that are refuted, and whose own displays an edit makes pass.
-fn correctable(run: &Run<'_>, (claims, notes): (&Claims, &Notes), mut said: Vec<ProseClaim>) -> Vec<ProseClaim> {
-    let found = with_checker(run, &added(claims, notes, &said), notes, |checker| {
-        let has_edit = |at: &usize| {
-            let equation = checker.equation(*at, checker.assigned[*at]);
-            let repaired = equation.and_then(|equation| checker.with_repairs(run, *at, equation, false));
-            repaired.is_ok_and(|equation| !equation.repairs.is_empty())
-        };
-        Ok(said.iter().map(|claim| claim.displays.iter().all(has_edit)).collect::<Vec<bool>>())
-    });
-    let mut found = found.unwrap_or_default().into_iter();
-    said.retain(|_| found.next() == Some(true));
-    said
+    standing(run, (claims, notes), said, ProseClaim::may_tie)
 }
 
 /// The claims that stand together, and the document with them. Where the document cannot be checked with them, there are none.
@@ -393,6 +298,11 @@ pub(crate) fn added(claims: &Claims, notes: &Notes, said: &[ProseClaim]) -> Clai
                 is_formula: false,
             });
         }
+        for (name, range) in &claim.varying {
+            with.declarations.retain(|one| !is_it(one, name));
+            let (name, range) = (spanned(name.clone()), spanned(range.clone()));
+            with.declarations.push(Declaration { role: Role::VariesWithTime, name, range, is_formula: false });
+        }
         let defined = claim.definitions.iter().map(|(name, formula)| (spanned(name.clone()), spanned(formula.clone())));
         with.define.extend(defined);
         with.means.extend(claim.means.iter().map(|(name, what)| (spanned(name.clone()), spanned(what.clone()))));
@@ -412,6 +322,7 @@ fn join(known: &mut Claim, new: &Claim) {
     let fresh = new.implied.iter().filter(|one| !known.implied.iter().any(|other| other.value == one.value));
     let fresh: Vec<Spanned<String>> = fresh.cloned().collect();
     known.implied.extend(fresh);
+    known.implied_throughout.extend(new.implied_throughout.iter().cloned());
     conditions::join(known, new);
     known.conserved = known.conserved.take().or_else(|| new.conserved.clone());
     known.equilibrium = known.equilibrium.take().or_else(|| new.equilibrium.clone());
@@ -437,7 +348,9 @@ impl ProseClaim {
         if self.is_said {
             let refuted = findings.iter().filter(|equation| is_refuted(equation)).count();
             let passing = findings.iter().filter(|equation| passes(equation)).count();
-            return passing > 0 && passing >= refuted;
+            // Where no display passes with new coordinates, edits decide.
+            self.is_doubtful = passing == 0 && self.gives_coordinates && refuted == findings.len();
+            return self.is_doubtful || passing > 0 && passing >= refuted;
         }
         self.is_doubtful = findings.iter().any(|equation| is_refuted(equation));
         // Counterexamples are found later.
@@ -446,6 +359,13 @@ impl ProseClaim {
             true => findings.iter().any(|equation| passes(equation)),
             false => findings.iter().all(|equation| passes(equation) || may_refute(equation)),
         }
+    }
+
+    /// The same, of formulas in sentences, of which edits decide for new coordinates only.
+    fn may_tie(&mut self, found: &Document, notes: &Notes) -> bool {
+        let may_stand = self.may_stand(found, notes);
+        self.is_doubtful &= self.gives_coordinates;
+        may_stand
     }
 
     /// Whether a display is refuted that may be wrong for what the words say.

@@ -131,8 +131,29 @@ impl<'a> NotesNames<'a> {
     /// The text of a display as a formula of a claims file; `None` where it is not one equality.
     pub fn equality(&self, at: usize) -> Option<String> {
         let text = self.notes.equations[at].text.trim().trim_end_matches([',', '.', ';']).trim();
-        let is_one =
-            text.matches('=').count() == 1 && !["\\quad", "\\\\", ",", "&"].iter().any(|mark| text.contains(mark));
-        is_one.then(|| text.to_owned())
+        is_one_equality(text).then(|| text.to_owned())
     }
+
+    /// Whether a display is one equality, in which determinants may stand.
+    pub fn is_equality_of_determinants(&self, at: usize) -> bool {
+        is_one_equality(without_matrices(&self.notes.equations[at].text).trim().trim_end_matches([',', '.', ';']))
+    }
+}
+
+fn is_one_equality(text: &str) -> bool {
+    text.matches('=').count() == 1 && !["\\quad", "\\\\", ",", "&"].iter().any(|mark| text.contains(mark))
+}
+
+/// A text without its matrices and determinants.
+fn without_matrices(text: &str) -> String {
+    let mut rest = text.to_owned();
+    let environments = ["vmatrix", "pmatrix", "bmatrix", "matrix", "array"];
+    for name in environments {
+        let (open, close) = (format!("\\begin{{{name}}}"), format!("\\end{{{name}}}"));
+        while let Some(from) = rest.find(&open) {
+            let Some(length) = rest[from..].find(&close) else { break };
+            rest.replace_range(from..from + length + close.len(), " ");
+        }
+    }
+    rest
 }

@@ -6,6 +6,20 @@ use crate::notes::Notes;
 /// Words for the begin of a motion, as they begin.
 const RELEASED: [&str; 7] = ["releas", "start", "begin", "losgelass", "lâch", "abandonn", "suelta"];
 
+/// Phrases for the same, each word as it begins.
+const LET_GO: [&str; 8] =
+    ["let go", "set free", "is dropped", "are dropped", "falls from", "fall from", "falling from", "slides from"];
+
+/// Phrases for a begin at rest, each word as it begins.
+const AT_REST: [&str; 6] = [
+    "without initial velocit",
+    "without initial speed",
+    "no initial velocit",
+    "no initial speed",
+    "zero initial velocit",
+    "ohne anfangsgeschwindigkeit",
+];
+
 /// Words for rest.
 pub(super) const REST: [&str; 5] = ["rest", "ruhe", "repos", "reposo", "riposo"];
 
@@ -128,9 +142,18 @@ impl Sentence {
         self.words.iter().any(|word| stems.iter().any(|stem| word.starts_with(stem)))
     }
 
-    /// Whether it says that a motion starts: "is released", "starts", "is let go".
+    /// Whether it says that a motion starts: "is released", "starts", "is let go", "is dropped", "falls from", "is at rest" at `t = 0`.
     pub fn says_that_it_starts(&self) -> bool {
-        self.says(&RELEASED) || self.says_phrase(&["let go"])
+        let is_first = |formula: &String| formula.split_whitespace().collect::<String>() == "t=0";
+        self.says(&RELEASED)
+            || self.says_phrase(&LET_GO)
+            || self.says_phrase(&AT_REST)
+            || self.has_word(&REST) && self.formulas.iter().any(is_first)
+    }
+
+    /// Whether it says that something is at rest, or that it has no velocity in the beginning.
+    pub fn says_that_it_rests(&self) -> bool {
+        self.has_word(&REST) || self.says_phrase(&AT_REST)
     }
 
     /// The places of the words that begin with one of these letters.

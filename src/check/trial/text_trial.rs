@@ -282,7 +282,10 @@ impl<'d, 'a> Trial<'d, 'a> {
     fn misses_the_motion(&self, reading: &Reading) -> bool {
         let all = self.solutions(reading);
         let given = |q: &Variable| all.iter().any(|known| known.coordinate == q.symbol && known.dots == 0);
-        if !self.checker.model.coordinates.iter().all(given) || !self.hypotheses.is_empty() {
+        if !self.checker.model.coordinates.iter().all(given)
+            || !self.hypotheses.is_empty()
+            || self.claim.is_near_by_prose()
+        {
             return false;
         }
         let topic = format!("{} trial solutions", self.topic);
@@ -351,7 +354,13 @@ impl<'d, 'a> Trial<'d, 'a> {
     }
 
     fn read(&self, link: &Link) -> Read {
-        series::of(link, self.claim.small.is_empty() && self.claim.limit.is_none(), self.checker.model)
+        let topic = format!("{} trial expansion", self.topic);
+        let expanded = self.checker.expanded_solution(link, &self.context(&topic).quick()).ok().flatten();
+        series::of(
+            expanded.as_ref().unwrap_or(link),
+            self.claim.small.is_empty() && self.claim.limit.is_none(),
+            self.checker.model,
+        )
     }
 
     /// A link that holds to an order when something is small.

@@ -157,15 +157,15 @@ pub fn vacuity(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<Vac
     if run(link, &free.states).is_ok_and(|outcome| outcome.failure.is_none()) {
         return Ok(Vacuity::None);
     }
+    // What the prose implies is no hypothesis that the author could have restated.
+    if context.hypotheses.iter().all(|hypothesis| hypothesis.implied) {
+        return Ok(Vacuity::FollowsFromHypotheses);
+    }
     if context.hypotheses.iter().any(|hypothesis| hypothesis.throughout) {
         return Ok(Vacuity::Vacuous(
             Code::FollowsFromHypotheses,
             "this follows from its hypotheses alone, whatever the motion; remove those that make it trivial",
         ));
-    }
-    // What the prose implies is no hypothesis that the author could have restated.
-    if context.hypotheses.iter().all(|hypothesis| hypothesis.implied) {
-        return Ok(Vacuity::FollowsFromHypotheses);
     }
     // The converse: if the claim implies the hypotheses, the two are equivalent.
     let claim = [Hypothesis::of(Link { relation: Relation::Equal, ..link.clone() }, false)];

@@ -21,6 +21,26 @@ fn is_letter_of_an_angle(name: &Name) -> bool {
     ["\\theta", "\\vartheta", "\\phi", "\\varphi", "\\alpha", "\\beta"].contains(&name.base.as_str())
 }
 
+/// Whether a letter is an angle in some notes.
+fn is_usual_angle(name: &Name) -> bool {
+    is_letter_of_an_angle(name)
+        || [
+            "\\psi",
+            "\\chi",
+            "\\gamma",
+            "\\delta",
+            "\\epsilon",
+            "\\varepsilon",
+            "\\Theta",
+            "\\Phi",
+            "\\Psi",
+            "i",
+            "A",
+            "B",
+        ]
+        .contains(&name.base.as_str())
+}
+
 /// The items that could be the argument of a function.
 struct Run {
     /// One past the last of them.
@@ -305,8 +325,16 @@ impl Reader<'_> {
                     ["\\omega", "\\Omega", "\\nu", "\\gamma", "\\lambda", "\\beta", "\\delta"].contains(&bare);
                 let is_place = ["x", "y", "z", "r"].contains(&second.base.as_str()) && second.subscript.is_empty();
                 // So is any letter before an instant in a hyperbolic function: cosh αt_1.
+                // So is a declared constant that is no letter of an angle, before a coordinate: tan βx.
+                let is_number = |name: &Name| {
+                    let entry = self.symbols.find(name).map(|(id, _)| self.symbols.entry(id));
+                    !self.symbols.open && entry.is_some_and(|entry| !entry.varies && entry.definition.is_none())
+                };
+                let moves = || self.symbols.find(second).is_some_and(|(id, _)| self.symbols.entry(id).varies);
+                let scales = || is_place && is_number(first) && !is_usual_angle(first) && moves();
                 (is_rate || run.is_hyperbolic) && self.is_instant(second)
                     || ["k", "q", "\\kappa"].contains(&base) && is_place
+                    || scales()
                     || run.is_hyperbolic && Self::ends_the_term(items, run.end)
             }
             _ => run.is_hyperbolic && Self::ends_the_term(items, run.end),

@@ -60,6 +60,8 @@ pub struct Claim {
     pub units_off: Option<Span>,
     /// Hypotheses that the prose makes, and no claims file: `\theta_0` is where the system rests.
     pub implied: Vec<Spanned<String>>,
+    /// The same, of hypotheses that hold at all times: `x = r\cos\phi` in polar coordinates.
+    pub implied_throughout: Vec<Spanned<String>>,
 }
 
 /// When an equation holds.
@@ -251,6 +253,7 @@ pub(super) fn shared(fields: &Fields<'_>, source: &Source) -> Result<Claim, Faul
         secular_for: fields.text("secular equation for")?,
         units_off: units.map(|off| fields::word(&off, "units", &[("off", ())])).transpose()?.map(|off| off.span),
         implied: Vec::new(),
+        implied_throughout: Vec::new(),
     })
 }
 

@@ -138,6 +138,7 @@ impl Claim {
             units_off,
             // No key makes it.
             implied: _,
+            implied_throughout: _,
         } = self;
         let solved = solves.as_ref().and_then(|solves| solves.unknowns.first());
         [
@@ -176,7 +177,12 @@ impl Claim {
 
     /// Whether the equalities and inequalities of the print must hold at each state.
     pub(crate) fn holds_at_states(&self) -> bool {
-        self.keys().all(|(key, _)| key.role() != Role::NotAtStates)
+        self.keys().all(|(key, _)| key.role() != Role::NotAtStates) && !self.is_near_by_prose()
+    }
+
+    /// Whether words of the notes, and no claims file, say in which limit an equation holds, or to which order, so that = stands for ≈.
+    pub(crate) fn is_near_by_prose(&self) -> bool {
+        self.limit.iter().chain(&self.small).any(|said| said.span == Span::default())
     }
 
     /// Whether it says more of a name that the equation defines, so that the definition is tested.

@@ -79,12 +79,22 @@ fn solved_coordinate(
 ) -> Option<SymbolId> {
     let [left, rest @ ..] = statement.members.as_slice() else { return None };
     let coordinate = left.as_plain_symbol().filter(|id| model.is_coordinate(*id))?;
+    // `x_1 = -x_3 = f(t)` gives each of them.
+    let is_another = |member: &Expr| match &member.node {
+        Node::Sum(terms) => matches!(terms.as_slice(), [only] if is_a_coordinate(&only.expr, model)),
+        _ => is_a_coordinate(member, model),
+    };
+    let rest = &rest[rest.iter().take_while(|member| is_another(member)).count()..];
     let is_known = |id: SymbolId| new.contains(&id) || is_known(id, reading, model);
     let fits = |member: &Expr| member.symbols().iter().all(|(id, _)| is_known(*id));
     let all_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
     let in_time = rest.iter().any(|member| contains_time(member, symbols));
     let beside_time = |id: &SymbolId| rest.iter().any(|member| stands_beside_time(member, *id, false, symbols));
     (all_equal && in_time && rest.iter().all(fits) && !new.iter().any(beside_time)).then_some(coordinate)
+}
+
+fn is_a_coordinate(member: &Expr, model: &Model) -> bool {
+    member.as_plain_symbol().is_some_and(|id| model.is_coordinate(id))
 }
 
 /// Whether a symbol is a constant, the time, or defined by these, in the model or by the display itself.

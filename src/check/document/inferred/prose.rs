@@ -100,6 +100,38 @@ const CONDITION: [&str; 14] = [
     "initial",
 ];
 
+/// Words with which a sentence denies that a motion is small.
+const DENIALS: [&str; 6] = ["no", "not", "never", "without", "beyond", "nonlinear"];
+
+/// Words with which a sentence no longer speaks of the small motion of a sentence before it.
+const OF_ANY_SIZE: [&str; 8] = ["exact", "exactly", "general", "generally", "large", "arbitrary", "full", "original"];
+
+/// Words for what is small in a small motion, as they begin.
+const MOTIONS: [&str; 14] = [
+    "angle",
+    "oscill",
+    "vibrat",
+    "motion",
+    "displace",
+    "deviat",
+    "deflect",
+    "amplitude",
+    "swing",
+    "excursion",
+    "departure",
+    "disturb",
+    "perturb",
+    "elongation",
+];
+
+/// Words for what is made of the equations before.
+const DERIVES: [&str; 8] =
+    ["adding", "subtracting", "combining", "eliminating", "dividing", "multiplying", "differentiating", "sum"];
+
+/// The number of sentences before the last one of which the words count, and of displays between them.
+const SENTENCES_BEFORE: usize = 4;
+const DISPLAYS_BEFORE: usize = 2;
+
 /// The most bytes before a formula that are taken for its words.
 const LONGEST: usize = 300;
 
@@ -156,11 +188,13 @@ impl Prose {
         Prose(notes.inline.iter().filter_map(said).collect())
     }
 
-    /// Defines a name that one of the readings lacks, or else the Lagrangian; returns whether it has found one.
+    /// Defines a name that one of the readings lacks, or else the Lagrangian; returns whether it has found one. A name with which a display
+    /// begins counts `if_begins` only: where nothing else is left, that display may be a relation between names that need this one.
     pub fn define<'r>(
         &self,
         (claims, notes): (&Claims, &Notes),
         unread: impl Iterator<Item = (usize, &'r Reading)>,
+        if_begins: bool,
         model: &mut Model,
     ) -> bool {
         let is_missing = |fault: &Fault| matches!(fault.missing, Some(Missing::Name(_)));
@@ -174,7 +208,7 @@ impl Prose {
         let is_defined =
             |name: &str| texts.iter().any(|text| name_search::is_the_first_side(text, name, &model.macros));
         let names = self.0.iter().map(|said| said.name.as_str());
-        let missing: Vec<&str> = names.filter(|name| is_used(name) && !is_defined(name)).collect();
+        let missing: Vec<&str> = names.filter(|name| is_used(name) && (if_begins || !is_defined(name))).collect();
         let lagrangian = model.printed_lagrangian.as_ref().map(|printed| printed.lagrangian.to_string());
         let lacks =
             |name: &str| name_search::parse_decorated(name).is_some_and(|name| model.symbols.find(&name).is_none());
@@ -309,17 +343,56 @@ pub(crate) fn is_supposed(notes: &Notes, span: Span) -> bool {
     last(&words_before(notes, span), &["if", "unless", "until", "assuming", "suppose", "limit", "near"]).is_some()
 }
 
-/// Whether the sentence before a display speaks of small motion, as "for small oscillations" does, and does not deny it: "no longer
-/// small".
-pub(crate) fn speaks_of_small(notes: &Notes, span: Span) -> bool {
+/// Whether the words before a display speak of small motion, as "for small oscillations" does, and do not deny it: "no longer small". What
+/// a sentence before the last one says must be about the motion, or a coordinate: "we assume that $\\theta$ is small. Then".
+pub(crate) fn speaks_of_small(notes: &Notes, span: Span, is_coordinate: impl Fn(&str) -> bool) -> bool {
     let start = notes.equations.iter().map(|display| display.span).find(|display| display.contains(span));
     // A display of an edited text may stand where the notes have ended.
     let before = notes.source.text.get(..start.map_or(span.start, |display| display.start)).unwrap_or_default();
-    let words = words_before(notes, Span::at(before.trim_end().len()));
-    let is_denied =
-        words.iter().any(|word| ["no", "not", "never", "without", "beyond", "nonlinear"].contains(&word.as_str()));
-    let is_said = words.iter().any(|word| word == "small" || word.starts_with("lineari"));
-    !is_denied && (is_said || words.windows(2).any(|two| two == ["first", "order"]))
+    // A mark directly before the display ends no other sentence.
+    let without_marks =
+        |end: usize| before[..end].trim_end_matches(|c: char| c.is_whitespace() || matches!(c, ':' | '.' | ';')).len();
+    let mut end = without_marks(before.len());
+    let mut displays = 0;
+    for sentence in 0..=SENTENCES_BEFORE {
+        let from = sentence_start(notes, end);
+        let words = words_between(notes, from, end);
+        let has_one_of = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
+        if has_one_of(&DENIALS) || sentence > 0 && has_one_of(&OF_ANY_SIZE) {
+            return false;
+        }
+        let formulas = notes.inline.iter().filter(|span| span.start >= from && span.end <= end);
+        let formulas: Vec<&str> =
+            formulas.filter_map(|span| Some(notes.source.slice(body_of(notes, *span)?).trim())).collect();
+        let is_much_smaller =
+            |formula: &&str| formula.split_once("\\ll").is_some_and(|(left, _)| is_coordinate(left.trim()));
+        let is_of_motion = || {
+            let is_motion = |word: &String| MOTIONS.iter().any(|stem| word.starts_with(stem));
+            words.iter().any(is_motion) || formulas.iter().any(|formula| is_coordinate(formula))
+        };
+        let is_said = words.iter().any(|word| word.starts_with("lineari"))
+            || formulas.iter().any(is_much_smaller)
+            || has_one_of(&["small"]) && (sentence == 0 || is_of_motion())
+            || sentence == 0 && words.windows(2).any(|two| two == ["first", "order"]);
+        if is_said {
+            return true;
+        }
+        let next = without_marks(from);
+        let is_crossed = |display: &Span| display.end <= from && display.end >= next;
+        let crossed = notes.equations.iter().map(|display| display.span).find(is_crossed);
+        // What is derived from the equations of a small motion is about it too.
+        let goes_on = before[from..end].trim_start().starts_with(char::is_lowercase) || has_one_of(&DERIVES);
+        if has_one_of(&OF_ANY_SIZE) || next == 0 || crossed.is_none() && before[next..from].contains("\n\n") {
+            return false;
+        }
+        end = match crossed {
+            Some(display) if goes_on && displays < DISPLAYS_BEFORE => without_marks(display.start),
+            Some(_) => return false,
+            None => next,
+        };
+        displays += usize::from(crossed.is_some());
+    }
+    false
 }
 
 /// The last place of one of these words.

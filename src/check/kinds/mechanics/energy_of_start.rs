@@ -2,8 +2,9 @@
 //!
 //! A motion that starts from rest at an equilibrium stays there, and whatever vanishes there holds along it. Authors mean the limit
 //! of a small push: the motion that leaves the place has its energy. And where only some derivatives at the start were compared, a
-//! term of a higher power is seen only here.
+//! term of a higher power is seen only here; so it is for a start of one coordinate with a velocity.
 
+use super::expressions::partial;
 use crate::Result;
 use crate::check::judge::identity;
 use crate::check::model::Model;
@@ -30,16 +31,13 @@ pub(crate) fn holds(link: &Link, context: &Context<'_>) -> Result<Option<bool>> 
     if model.contains_time(&link.lhs) || model.contains_time(&link.rhs) {
         return Ok(None);
     }
-    let Some(at_rest) = lagrangian_at_rest(context) else { return Ok(None) };
+    let Some(at_start) = energy_at_start(context) else { return Ok(None) };
     let mut with = model.clone();
     let Some(id) = with.symbols.add(Name::plain(ENERGY), Kind::Scalar) else { return Ok(None) };
     let entry = with.symbols.entry_mut(id);
     (entry.varies, entry.derived) = (true, true);
     with.mean(id, Meaning::System(Quantity::Energy));
-    // At rest the energy is −L.
-    let span = Span::default();
-    let minus = Node::Sum(vec![Term { sign: Sign::Minus, sign_span: None, expr: at_rest }]);
-    let energy = Link { lhs: symbol(id), relation: Relation::Equal, rhs: Expr::new(minus, span), free: Vec::new() };
+    let energy = Link { lhs: symbol(id), relation: Relation::Equal, rhs: at_start, free: Vec::new() };
     let is_start = |known: &&Hypothesis| start(known, model).is_none();
     let others = context.hypotheses.iter().filter(is_start).cloned();
     let implied = |known: Hypothesis| Hypothesis { implied: true, ..known };
@@ -52,8 +50,8 @@ pub(crate) fn holds(link: &Link, context: &Context<'_>) -> Result<Option<bool>> 
     })
 }
 
-/// The printed Lagrangian of a system without forces, at the start from rest that the hypotheses give.
-fn lagrangian_at_rest(context: &Context<'_>) -> Option<Expr> {
+/// The energy of a system without forces at the start that the hypotheses give: −L at rest, and q̇ ∂L/∂q̇ − L where one coordinate moves.
+fn energy_at_start(context: &Context<'_>) -> Option<Expr> {
     let model = context.model;
     let printed = model.printed_lagrangian.as_ref()?;
     if printed.dissipation.is_some() || !printed.forces.is_empty() {
@@ -67,10 +65,8 @@ fn lagrangian_at_rest(context: &Context<'_>) -> Option<Expr> {
     }
     let starts: Vec<(SymbolId, u8, &Expr)> =
         context.hypotheses.iter().filter_map(|known| start(known, model)).collect();
-    let is_at_rest = |id: &SymbolId| {
-        let rate = starts.iter().find(|(known, dots, _)| known == id && *dots == 1);
-        rate.is_some_and(|(.., value)| value.is_null())
-    };
+    let rate_of = |id: &SymbolId| starts.iter().find(|(known, dots, _)| known == id && *dots == 1).map(|(.., v)| *v);
+    let is_at_rest = |id: &SymbolId| rate_of(id).is_some_and(Expr::is_null);
     let moving: Vec<SymbolId> = formula
         .symbols()
         .into_iter()
@@ -85,13 +81,27 @@ fn lagrangian_at_rest(context: &Context<'_>) -> Option<Expr> {
             model.depends_on(formula, &[*id]) && !model.depends_on(formula, &others)
         })
     };
-    if moving.is_empty() || !moving.iter().all(|id| is_at_rest(id) || is_fixed(id)) || model.contains_time(&formula) {
+    // Of several coordinates the velocities are not known from the energy.
+    let only = match coordinates.as_slice() {
+        [only] => rate_of(only).filter(|rate| !rate.is_null()).map(|rate| (*only, rate)),
+        _ => None,
+    };
+    let is_given = |id: &SymbolId| is_at_rest(id) || is_fixed(id) || only.is_some();
+    if moving.is_empty() || !moving.iter().all(is_given) || model.contains_time(&formula) {
         return None;
     }
+    let term = |sign, expr| Term { sign, sign_span: None, expr };
+    let mut terms = vec![term(Sign::Minus, formula.clone())];
+    if let Some((q, rate)) = only {
+        let momentum = partial(&formula, q, 1, context)?;
+        terms.push(term(Sign::Plus, Expr::new(Node::Product(vec![rate.clone(), momentum]), Span::default())));
+    }
+    let mut formula = Expr::new(Node::Sum(terms), Span::default());
     formula.substitute(&|node| match node {
-        Node::Symbol { id, dots, .. } if coordinates.contains(id) && *dots > 0 => {
-            Some(Expr::integer(0, Span::default()))
-        }
+        Node::Symbol { id, dots, .. } if coordinates.contains(id) && *dots > 0 => Some(match only {
+            Some((_, rate)) if *dots == 1 => rate.clone(),
+            _ => Expr::integer(0, Span::default()),
+        }),
         Node::Symbol { id, .. } => {
             starts.iter().find(|(known, dots, _)| known == id && *dots == 0).map(|(.., value)| (*value).clone())
         }

@@ -8,7 +8,7 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Relation, SymbolId};
+use crate::formula::{Expr, Node, Relation, SymbolId};
 use crate::notes::claims::Equilibrium;
 use crate::source::Span;
 
@@ -22,6 +22,38 @@ use crate::check::verdict::finding::Finding;
 
 /// The most coordinates for which stability is decided.
 const MOST: usize = 3;
+
+/// The hypotheses that the system of a printed Lagrangian stays at rest where coordinates have these values, and the others are 0: no force
+/// acts there. `None` where this is not known as formulas, and with forces, constraints or the time in L.
+pub(crate) fn rest_at(places: &[(SymbolId, Expr)], context: &Context<'_>) -> Option<Vec<Hypothesis>> {
+    let model = context.model;
+    let printed = model.printed_lagrangian.as_ref()?;
+    let lagrangian = lagrangian(context).filter(|of| !model.contains_time(of))?;
+    if printed.dissipation.is_some() || !printed.forces.is_empty() || !printed.constraints.is_empty() {
+        return None;
+    }
+    let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
+    let mut hypotheses = Vec::new();
+    for q in &coordinates {
+        let mut force = partial(&lagrangian, *q, 0, context)?;
+        force.substitute(&|part| match part {
+            Node::Symbol { id, dots, .. } if coordinates.contains(id) => {
+                let place = places.iter().find(|(known, _)| known == id && *dots == 0).map(|(_, value)| value.clone());
+                Some(place.unwrap_or_else(|| Expr::integer(0, Span::default())))
+            }
+            _ => None,
+        });
+        // A name in it may be made of coordinates.
+        if model.depends_on(&force, &coordinates) {
+            return None;
+        }
+        if !force.is_zero() {
+            let link = equal(&force, &Expr::integer(0, Span::default()));
+            hypotheses.push(Hypothesis { implied: true, ..Hypothesis::of(link, false) });
+        }
+    }
+    Some(hypotheses)
+}
 
 /// Checks that the system stays at rest where the hypotheses of the context put it, and how stable that is.
 ///

@@ -4,14 +4,15 @@
 //! Between two numbers they are written out. Up to a letter or to infinity, a sum is replaced by its formula, if its
 //! summand is a polynomial or geometric.
 
+use crate::formula::SymbolId;
 use crate::formula::calculus::places::{End, at, depends_on, whole};
 use crate::formula::calculus::{NoFormula, series};
 use crate::formula::tree::{Expr, Node, Sign, Term};
-use crate::source::Fault;
+use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Item, Layout};
 use super::super::super::names;
-use super::super::items::{contents, extent, is_big_product, parts};
+use super::super::items::{contents, extent, is_big_product, parts, whole_number};
 use super::super::state::{Read, Reader};
 
 /// The most terms that are written out.
@@ -20,7 +21,9 @@ const MOST: i64 = 60;
 impl Reader<'_> {
     /// A sum or a product of the rest of the term; `None` for one over a declared index.
     pub(in super::super) fn counted(&mut self, sign: &Item, rest: &[Item]) -> Read<Option<Expr>> {
-        let Layout::Scripts { sub: Some(sub), sup: Some(sup), primes: 0, .. } = &sign.layout else { return Ok(None) };
+        let Layout::Scripts { sub: Some(sub), sup: Some(sup), primes: 0, .. } = &sign.layout else {
+            return self.over_all_members(sign, rest);
+        };
         let below: Vec<&Item> = contents(sub).iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
         let [letter, Item { layout: Layout::Other('='), .. }, first, ..] = below.as_slice() else { return Ok(None) };
         let Some(printed) = names::printed(letter, None) else { return Ok(None) };
@@ -61,18 +64,77 @@ impl Reader<'_> {
             return Err(Fault::unsupported(sign.span, format!("a sum of more than {MOST} terms is not supported"))
                 .help("write an equation for a letter as the upper limit"));
         }
+        self.between(letter, (low, high), rest, (is_product, span)).map(Some)
+    }
+
+    /// `\sum_i \dot x_i^2`: a sum over all names that a subscript may give, if the letter is nothing else.
+    fn over_all_members(&mut self, sign: &Item, rest: &[Item]) -> Read<Option<Expr>> {
+        let Layout::Scripts { sub: Some(sub), sup: None, primes: 0, .. } = &sign.layout else { return Ok(None) };
+        let [letter] = contents(sub) else { return Ok(None) };
+        let Some(name) = names::printed(letter, None).map(|printed| printed.name.to_string()) else { return Ok(None) };
+        let is_known = self.symbols.open || self.symbols.index(&name).is_some();
+        let is_name = names::parse(&name).is_some_and(|(name, _)| self.symbols.find(&name).is_some());
+        if is_known || is_name {
+            return Ok(None);
+        }
+        let mut counts = Vec::new();
+        rest.iter().for_each(|item| self.count_members(item, &name, &mut counts));
+        let span = extent(rest).map_or(sign.span, |rest| sign.span.to(rest));
+        match counts.as_slice() {
+            [first, others @ ..] if *first > 1 && others.iter().all(|other| other == first) => {
+                self.between(letter, (1, *first), rest, (is_big_product(sign), span)).map(Some)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// Adds how many names there are of each that has the letter as its subscript: 3 for x_i beside x_1, x_2, x_3.
+    fn count_members(&self, item: &Item, letter: &str, counts: &mut Vec<i64>) {
+        if let Some(printed) = names::printed(item, None)
+            && printed.name.subscript == [letter]
+        {
+            let is_member = |value: &i64| {
+                let mut member = printed.name.clone();
+                member.subscript = vec![value.to_string()];
+                self.symbols.find(&member).is_some_and(|(_, indices)| indices.is_empty())
+            };
+            counts.push((1..=9).take_while(is_member).count().try_into().unwrap_or(0));
+            return;
+        }
+        for inner in parts(item) {
+            inner.iter().for_each(|item| self.count_members(item, letter, counts));
+        }
+    }
+
+    /// A sum or a product between two numbers, written out.
+    fn between(
+        &mut self,
+        letter: &Item,
+        (low, high): (i64, i64),
+        rest: &[Item],
+        (is_product, span): (bool, Span),
+    ) -> Read<Expr> {
+        let base = names::printed(letter, None).map(|printed| printed.name.base).unwrap_or_default();
         let mut parts = Vec::new();
         for value in low..=high {
             let number = number(value, span);
-            let placed: Vec<Item> = rest.iter().map(|item| with_subscript(item, &printed.name.base, value)).collect();
-            is_no_index(&placed, &printed.name.base)?;
+            let placed: Vec<Item> = rest.iter().map(|item| with_subscript(item, &base, value)).collect();
+            is_no_index(&placed, &base)?;
             let bound = self.bind(letter)?;
             let body = self.term(&placed);
             self.release(&bound);
-            let body = self.written_out(&body?, bound.id)?;
+            let body = body?;
+            // On a letter of the sum's own, which stands in subscripts only, nothing depends, and no rate does.
+            let mentions_it = |(id, _): &(SymbolId, u8)| {
+                let entry = self.symbols.entry(*id);
+                entry.unread && entry.name.mentions(&base)
+            };
+            let is_apart =
+                bound.released.is_some() && !depends_on(&body, bound.id) && !body.symbols().iter().any(mentions_it);
+            let body = if is_apart { body } else { self.written_out(&body, bound.id)? };
             parts.push(at(&body, bound.id, &number));
         }
-        Ok(Some(match (is_product, parts.is_empty()) {
+        Ok(match (is_product, parts.is_empty()) {
             (true, true) => as_step(Expr::integer(1, span)),
             (true, false) => as_step(Expr::new(Node::Product(parts), span)),
             (false, true) => as_step(Expr::integer(0, span)),
@@ -80,7 +142,7 @@ impl Reader<'_> {
                 let term = |expr| Term { sign: Sign::Plus, sign_span: None, expr };
                 Expr::new(Node::Sum(parts.into_iter().map(term).collect()), span)
             }
-        }))
+        })
     }
 }
 
@@ -117,7 +179,7 @@ pub(super) fn as_step(expr: Expr) -> Expr {
     Expr::new(Node::Sum(vec![Term { sign: Sign::Plus, sign_span: None, expr }]), span)
 }
 
-fn number(value: i64, span: crate::source::Span) -> Expr {
+fn number(value: i64, span: Span) -> Expr {
     let size = Expr::new(Node::Number(value.unsigned_abs().to_string()), span);
     if value < 0 { size.negated() } else { size }
 }
@@ -128,11 +190,9 @@ fn with_subscript(item: &Item, letter: &str, value: i64) -> Item {
     let boxed = |item: &Item| Box::new(with_subscript(item, letter, value));
     let layout = match &item.layout {
         Layout::Scripts { nucleus, sub: Some(sub), sup, primes } => {
-            let is_letter = matches!(contents(sub), [only] if names::printed(only, None)
-                .is_some_and(|found| found.name.base == letter && found.name.subscript.is_empty()));
-            let sub = match is_letter && value >= 0 {
-                true => Box::new(Item { layout: Layout::Number(value.to_string()), span: sub.span }),
-                false => sub.clone(),
+            let sub = match subscript_at(contents(sub), letter, value) {
+                Some(value) => Box::new(Item { layout: Layout::Number(value.to_string()), span: sub.span }),
+                None => sub.clone(),
             };
             Layout::Scripts { nucleus: boxed(nucleus), sub: Some(sub), sup: sup.as_deref().map(boxed), primes: *primes }
         }
@@ -151,6 +211,26 @@ fn with_subscript(item: &Item, letter: &str, value: i64) -> Item {
         other => other.clone(),
     };
     Item { layout, span: item.span }
+}
+
+/// The number that the letter of a sum, or a sum or difference of it and a number, is: 3 for i + 1 where i is 2.
+fn subscript_at(subscript: &[Item], letter: &str, value: i64) -> Option<i64> {
+    let is_letter = |item: &Item| {
+        names::printed(item, None).is_some_and(|found| found.name.base == letter && found.name.subscript.is_empty())
+    };
+    let found = match subscript {
+        [only] if is_letter(only) => value,
+        [first, sign, second] if is_letter(first) => {
+            let second = i64::from(whole_number(second)?);
+            match sign.layout {
+                Layout::Other('+') => value + second,
+                Layout::Other('-') => value - second,
+                _ => return None,
+            }
+        }
+        _ => return None,
+    };
+    (found >= 0).then_some(found)
 }
 
 fn refused(reason: NoFormula, sign: &Item, upper: &End) -> Fault {
