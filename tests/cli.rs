@@ -85,6 +85,8 @@ mod unaided_differentials;
 mod unaided_lagrangians;
 #[path = "cli/unaided_letters.rs"]
 mod unaided_letters;
+#[path = "cli/unaided_meanings.rs"]
+mod unaided_meanings;
 #[path = "cli/unaided_ordered.rs"]
 mod unaided_ordered;
 #[path = "cli/unaided_places.rs"]

@@ -431,7 +431,7 @@ impl Work<'_> {
         rows::mark_blank_lines(&mut self.clean, self.source, body);
         let text = String::from_utf8_lossy(&self.clean[body.range()]).into_owned();
         let number = group.iter().find_map(|piece| piece.number.clone());
-        let numbers_rows = matches!(group.as_slice(), [only] if only.raw.delimiter == Delimiter::Rows && !only.closes);
+        let numbers_rows = matches!(group.as_slice(), [only] if !only.closes && self.rows(only.raw).is_some());
         let labels: Vec<Numbered> = group.into_iter().flat_map(|piece| piece.labels).collect();
         // What held only definitions is no equation.
         if text.trim().is_empty() && number.is_none() && labels.is_empty() {

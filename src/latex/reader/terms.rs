@@ -278,8 +278,10 @@ fn is_no_italic_unit(items: &[Item]) -> Read<()> {
     let Layout::Letter(letter) = nucleus.layout else { return Ok(()) };
     let is_unit = "mskKJNCVATWg".contains(letter);
     let is_negative = matches!(contents(sup).first(), Some(Item { layout: Layout::Other('-'), .. }));
-    let is_number =
-        |item: &Item| is_numeric_item(item) || matches!(item.layout, Layout::Number(_)) || joint(item).is_some();
+    let is_power = |item: &Item| matches!(&item.layout, Layout::Scripts { nucleus, .. } if matches!(nucleus.layout, Layout::Number(_)));
+    let is_number = |item: &Item| {
+        is_numeric_item(item) || is_power(item) || matches!(item.layout, Layout::Number(_)) || joint(item).is_some()
+    };
     let has_number = numbers.iter().any(|item| matches!(item.layout, Layout::Number(_)));
     let is_apart = items.iter().rev().nth(1).is_some_and(|item| matches!(item.layout, Layout::Space(_)));
     match is_unit && is_negative && is_apart && has_number && numbers.iter().all(|item| is_number(item)) {

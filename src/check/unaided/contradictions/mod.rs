@@ -18,6 +18,7 @@ use crate::check::verdict::finding::Finding;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
+use crate::formula::{Expr, Statement};
 
 /// Weighs the displays that were called wrong and use definitions; `first` is the place of the first finding.
 ///
@@ -44,7 +45,9 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
             continue;
         }
         let (id, name) = (found[place].id.clone(), found[defined].id.clone());
-        if is_common_there && (!culprit.others.is_empty() || !is_common_here) {
+        // Two formulas for one name are alike: neither is more likely wrong for being the first.
+        let are_alike = culprit.others.is_empty() && gives_its_name(checker, first + place, culprit.at);
+        if !are_alike && is_common_there && (!culprit.others.is_empty() || !is_common_here) {
             let message = match culprit.others.len() {
                 0 => format!("({id}) contradicts this definition, and a likely mistake in it explains that"),
                 1 => format!("({id}) and another display contradict this definition"),
@@ -62,6 +65,13 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
         }
     }
     Ok(())
+}
+
+/// Whether a display gives a formula to a name that another one defines.
+fn gives_its_name(checker: &Checker<'_>, at: usize, definition: usize) -> bool {
+    let first = |statement: &Statement| statement.members.first().and_then(Expr::as_plain_symbol);
+    let named = checker.readings[at].statements.iter().flatten().filter_map(first);
+    named.into_iter().any(|id| checker.readings[definition].introduced.iter().any(|new| new.symbol == id))
 }
 
 /// Whether an edit puts a root around what has none, and by that gives a name another dimension.
