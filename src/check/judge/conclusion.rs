@@ -13,7 +13,7 @@ use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::outcome::Outcome;
 use crate::check::sample::setting::FEWEST;
 use crate::check::sample::without_value;
-use crate::check::state::counterexample::counterexample;
+use crate::check::state::counterexample::{are_equal, counterexample};
 use crate::check::state::residual::{Failure, Point};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -116,7 +116,7 @@ fn refutation(link: &Link, failure: &Failure, context: &Context<'_>, on_shell: b
             false => format!("{left} {} {right}", link.relation.glyph()),
         };
         let way_out = match link.relation {
-            _ if failure.lhs != failure.rhs => "",
+            _ if failure.lhs != failure.rhs && !are_equal(link, failure) => "",
             Relation::Less => "; the two sides are equal there: write ≤, or exclude this state with \"assume\"",
             Relation::Greater => "; the two sides are equal there: write ≥, or exclude this state with \"assume\"",
             Relation::NotEqual => "; the two sides are equal there: exclude this state with \"assume\"",

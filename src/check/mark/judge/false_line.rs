@@ -173,6 +173,9 @@ impl Judge<'_, '_> {
             return Ok(Some(right("is right, with another zero of the potential energy")));
         }
         if self.is_rounded(display, reading) {
+            if let Some(why) = self.wrong_unit(at, reading) {
+                return Ok(Some((Mark::Wrong, Verdict::Refuted, why.into())));
+            }
             let whose = if self.known.has_numbers() { "student" } else { "problem" };
             self.known.add(reading, false);
             return Ok(Some(right(format!("is right to the printed digits, with the numbers of the {whose}"))));
