@@ -143,6 +143,17 @@ fn has(formula: &Expr, symbol: SymbolId) -> bool {
 /// The fault of a text that is an equation and not a formula: its two sides should be compared with each other.
 fn two_sides(text: &str, macros: &Macros) -> Option<Fault> {
     let reading = read_display(text, &mut Symbols::open(), macros);
+    // What cannot be read has its relation all the same.
+    if reading.statements.iter().any(Result::is_err)
+        && let [Some(at), None] = [text.find('='), text.split_once('=').and_then(|(_, rest)| rest.find('='))]
+        && text[..at].matches('{').count() == text[..at].matches('}').count()
+        && !text[..at].trim().is_empty()
+    {
+        let fault = Fault::new(Span::new(at, at + 1), "“=” makes this an equation, and a formula is needed");
+        let (left, right) = (text[..at].trim(), text[at + 1..].trim());
+        let advice = format!("give the two sides as two arguments: onshell equal '{left}' '{right}'");
+        return Some(fault.code(Code::NotSupported).help(advice));
+    }
     let statement = reading.statements.into_iter().flatten().find(|statement| !statement.relations.is_empty())?;
     let (relation, place) = statement.relations[0];
     let fault = Fault::new(place, format!("“{}” makes this an equation, and a formula is needed", relation.glyph()));

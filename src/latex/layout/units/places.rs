@@ -191,6 +191,12 @@ impl Settler {
             {
                 return degrees(item, nucleus, sup, next);
             }
+            // `25\,^\circ\text{C}`: the circle stands on the space.
+            Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 }
+                if is_circle(sup) && is_thin(nucleus) && next.is_some_and(is_scale) =>
+            {
+                return of_a_scale(item.span);
+            }
             Layout::Scripts { nucleus, sub, sup, primes } => Layout::Scripts {
                 nucleus: boxed(nucleus),
                 sub: sub.as_deref().map(|sub| Box::new(reverted(sub))),
@@ -344,22 +350,28 @@ fn is_applied(rest: &[Item]) -> bool {
     })
 }
 
-/// A number in degrees. Degrees of a temperature are another scale.
-fn degrees(whole: &Item, number: &Item, circle: &Item, next: Option<&Item>) -> Item {
-    let is_scale = |item: &Item| match &item.layout {
+/// Whether an item is the letter of a scale of temperature.
+fn is_scale(item: &Item) -> bool {
+    match &item.layout {
         Layout::Letter(c) => "CFRK".contains(*c),
         Layout::Unit(units) => {
             units.plain.first().is_some_and(|plain| letter_of(plain).is_some_and(|c| "CFRK".contains(c)))
         }
         _ => letter_of(item).is_some_and(|c| "CFRK".contains(c)),
-    };
+    }
+}
+
+/// A temperature in degrees.
+fn of_a_scale(span: Span) -> Item {
+    let message = "a temperature in degrees is not supported, because its zero is not that of the kelvin";
+    let fault = Fault::unsupported(span, message).help("write the temperature in kelvin, \\text{K}");
+    Item { layout: Layout::Fault(fault), span }
+}
+
+/// A number in degrees. Degrees of a temperature are another scale.
+fn degrees(whole: &Item, number: &Item, circle: &Item, next: Option<&Item>) -> Item {
     if next.is_some_and(is_scale) {
-        let fault = Fault::unsupported(
-            whole.span,
-            "a temperature in degrees is not supported, because its zero is not that of the kelvin",
-        )
-        .help("write the temperature in kelvin, \\text{K}");
-        return Item { layout: Layout::Fault(fault), span: whole.span };
+        return of_a_scale(whole.span);
     }
     let Some(mut units) = Unit::degree().and_then(one) else { return whole.clone() };
     units.plain = vec![circle.clone()];

@@ -64,7 +64,10 @@ impl Reader<'_> {
         let is_eccentricity = is_charge || self.symbols.open && name.base == "e" && next.is_some_and(is_cosine);
         if !declared && name.subscript.is_empty() && !is_eccentricity {
             return Err(Fault::ambiguous(span, "e may be Euler’s number, 2.718…, or a symbol")
-                .help(format!("write \\exp(1) for the number, or {}", declaration("e", 0))));
+                .help(match self.symbols.open {
+                    true => "write \\exp(1) for the number, and another letter for a symbol".to_owned(),
+                    false => format!("write \\exp(1) for the number, or {}", declaration("e", 0)),
+                }));
         }
         Ok(None)
     }
