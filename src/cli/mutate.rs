@@ -99,7 +99,8 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
             [] => match (only, without_claims.as_slice()) {
                 (_, [first, ..]) => Error::new(format!("{first} has no claims file, so nothing in it can be mutated"))
                     .help(format!("write one with: onshell init {first}")),
-                (Some(only), _) => Error::new(format!("there is no equation ({only}) to mutate")).help(known),
+                (Some(only), _) => Error::new(format!("there is no equation ({only}) to mutate"))
+                    .help(format!("{known}; only displays with a number or a label are mutated")),
                 (None, _) => Error::new("there is no equation to mutate").help(known),
             },
             all => Error::new(format!("no equation can be mutated: {} left out", counted(all.len())))

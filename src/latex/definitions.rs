@@ -319,9 +319,9 @@ fn one(
         let letter = &symbols.indices[extra.0].letter;
         return Err(Fault::index(
             span,
-            format!("{name} is not declared, and its definition depends on the index {letter}"),
+            format!("the right side depends on the index {letter}, and {name} does not"),
         )
-        .help(format!("give it the index {letter} too, or {}", declaration(&name.to_string(), 0))));
+        .help(format!("sum over the index, \\sum_{{{letter}}}, or give {name} the index {letter} too")));
     }
     let components = |free: &[IndexId]| -> Vec<IndexId> { free.iter().copied().filter(|l| !is_label(l)).collect() };
     let (left, right) = (components(&free), components(&of_source.free));

@@ -8,6 +8,7 @@ use crate::formula::{Expr, Relation, Statement, SymbolId, text};
 use crate::latex::Reading;
 use crate::notes::claims::{Claims, Holds, Key, Property, Sentence, Sign, Spanned, Test};
 use crate::source::{Missing, Span};
+use crate::suggest::in_json;
 use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
@@ -119,6 +120,14 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
         }
         Test::Claim(latex) => {
             let statements = checker.statements(latex)?;
+            let claims_nothing = |s: &Statement| s.relations.is_empty() && s.constant.is_none();
+            if statements.iter().all(claims_nothing) {
+                let message = format!("\"claim\" needs a relation, and “{}” is a formula alone", latex.value);
+                return Err(Error::at(&checker.claims.source, latex.span, message).help(format!(
+                    "write an equation or an inequality; that it is constant is claimed by \"conserved\": {}",
+                    in_json(&latex.value)
+                )));
+            }
             let reading: Vec<String> = statements.iter().map(|s| text::statement(s, symbols)).collect();
             Ok((claim(checker, sentence, &statements, context)?, reading.join("; ")))
         }
@@ -353,9 +362,9 @@ fn shapes(checker: &Checker<'_>, sentence: &Sentence, property: &Property) -> Re
             Err(Error::at(
                 &checker.claims.source,
                 sentence.quote.span,
-                "the variable that the function runs along is not named",
+                "this sentence does not say which variable its formula is a function of",
             )
-            .help("name the variable with \"against\""))
+            .help("name the variable with \"against\" beside \"of\", as in \"against\": \"x\""))
         })
     };
     Ok(match property {

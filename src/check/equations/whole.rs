@@ -5,7 +5,7 @@ use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::identity;
 use crate::check::kinds::mechanics::{charge, equilibrium, generates, same_motion};
 use crate::check::kinds::{conserved, solves};
-use crate::check::model::claim::Hypothesis;
+use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
@@ -16,6 +16,7 @@ use crate::formula::tree::Sign;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
 use crate::latex::{DefinedSymbol, Reading};
 use crate::notes::claims::{Claim, Conserved, Equilibrium, Holds, Solved, Solves, Spanned};
+use crate::suggest::in_json;
 use crate::{Error, Result};
 
 impl Checker<'_> {
@@ -58,7 +59,14 @@ impl Checker<'_> {
             self.conserved(conserved, reading, &statements, &context, parts)?;
         }
         if let Some(other) = &claim.same_motion_as {
-            let finding = same_motion::check(printed, &self.formula(other)?, &context)?;
+            let lagrangian = self.formula(other).map_err(|error| match error.code() {
+                Code::UndeclaredName => error.help(format!(
+                    "for the Lagrangian of the notes, add \"means\": {{ {}: \"Lagrangian\" }} to the claims file",
+                    in_json(&other.value)
+                )),
+                _ => error,
+            })?;
+            let finding = same_motion::check(printed, &lagrangian, &context)?;
             parts.push(self.part(finding, format!("the same motion as {}", other.value)));
         }
         if !claim.symmetry.is_empty() {
@@ -265,6 +273,20 @@ impl Checker<'_> {
             parts.extend(worst.map(|finding| self.part(finding, text::statement(statement, &self.model.symbols))));
         }
         Ok(parts)
+    }
+
+    /// The finding on a link to which terms were added that are said to be dropped: that they are not, where the link holds as it is
+    /// printed.
+    ///
+    /// # Errors
+    /// When the system's mass matrix is singular.
+    pub(crate) fn with_needless_terms(&self, printed: &Link, finding: Finding, context: &Context<'_>) -> Result<Finding> {
+        if finding.verdict != Verdict::Refuted || !identity::check(printed, &context.quick())?.verdict.holds() {
+            return Ok(finding);
+        }
+        let message = "the two sides are equal as they are printed, and differ with the terms of \"dropping\" on the right \
+                       side; remove \"dropping\"";
+        Ok(context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message))
     }
 
     /// Whether a statement contains derivatives of coordinates that a position of rest has not: an equation of motion is true along

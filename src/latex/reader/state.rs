@@ -79,6 +79,22 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
                 false => "write an equation",
             })
         }
+        "\\AsciiMath" => Fault::unsupported(span, "this is AsciiMath, which is not read").help(
+            "write LaTeX, with [latexmath] before the block, or with the line “:stem: latexmath” at the top of the document",
+        ),
+        "\\TypstNotUnderstood" | "\\TypstEscape" | "\\TypstSign" => {
+            Fault::unsupported(span, "this is not understood as Typst").help("correct it, or write it in another way")
+        }
+        "\\TypstUnclosed" => Fault::new(span, "a parenthesis or a quotation mark of this formula is never closed")
+            .help("add what closes it"),
+        "\\TypstText" => Fault::unsupported(span, "words inside of a formula are not supported here")
+            .help("write words outside of the formula"),
+        _ if name.starts_with("\\Typst") => {
+            let word = name.trim_start_matches("\\Typst");
+            Fault::new(span, format!("“{word}” is no symbol or function of Typst that is read here"))
+                .code(Code::UnknownCommand)
+                .help("a name of several letters is written in quotation marks below a letter, as in x_\"name\"")
+        }
         "\\over" => Fault::unsupported(span, "\\over needs braces around what it divides, and stands in them once")
             .help("write {a \\over b}, or \\frac{a}{b}"),
         "\\[" => Fault::new(span, "\\[ opens a display inside of another one")

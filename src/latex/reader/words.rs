@@ -160,15 +160,6 @@ fn command_of(word: &str, name: &str) -> String {
     }
 }
 
-/// Whether `e` and a number follow a number, as in `1e3` and `3e-5`.
-fn is_power_of_ten(before: &Item, items: &[Item]) -> bool {
-    let is_sign = |item: &Item| matches!(item.layout, Layout::Other('-' | '+'));
-    let is_ten = |item: &Item| matches!(item.layout, Layout::Letter('e' | 'E'));
-    let (Layout::Number(_), [e, rest @ ..]) = (&before.layout, items) else { return false };
-    let number = if rest.first().is_some_and(is_sign) { rest.get(1) } else { rest.first() };
-    is_ten(e) && number.is_some_and(is_number)
-}
-
 /// The advice for a number that stands after a symbol.
 pub(super) fn after_a_symbol(number: &Item) -> String {
     let digits = typed(std::slice::from_ref(number));
@@ -205,12 +196,6 @@ impl Reader<'_> {
                 "a number in parentheses may be a factor, or how far the last digits are uncertain",
             )
             .help("write \\cdot for a product, or leave the uncertainty out"));
-        }
-        if touches && self.symbols.open && is_power_of_ten(before, &items[at..]) {
-            let tens: String = items[at + 1..].iter().take(2).map(|item| typed(std::slice::from_ref(item))).collect();
-            let number = typed(std::slice::from_ref(before));
-            return Err(Fault::ambiguous(span, format!("{number}e{tens} may be a power of ten or a product with e"))
-                .help(format!("write {number} \\cdot 10^{{{tens}}} for the power of ten")));
         }
         let is_bar = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::PlainBar, _));
         if is_bar(item) && !is_bar(before) && items[..at].iter().any(is_bar) {
