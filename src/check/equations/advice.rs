@@ -57,10 +57,13 @@ impl Checker<'_> {
         let symbol = plain().find(varies).or_else(|| plain().find(may_vanish)).or_else(|| plain().next());
         let name = symbol.map_or_else(|| "…".to_owned(), |symbol| self.model.name(*symbol));
         let small = self.entry(place, &format!("\"small\": {}", in_json(&name)));
-        let limit = format!("\"limit\": {}", in_json(&format!("{name}\\to\\infty")));
-        format!(
-            "≈ does not say when the two sides are nearly equal; write {small} in the claims file, or {limit} for a limit"
-        )
+        let message = format!("≈ does not say when the two sides are nearly equal; write {small} in the claims file");
+        // An angle, or what may be 0, tends to infinity in no limit that anybody means.
+        let may_grow = symbol.is_some_and(|symbol| !contains(&self.model.range(*symbol), 0.0));
+        match may_grow {
+            true => format!("{message}, or \"limit\": {} for a limit", in_json(&format!("{name}\\to\\infty"))),
+            false => message,
+        }
     }
 
     /// The finding on an equation that fails, with a remark where a side is a declared name that nothing determines: it is

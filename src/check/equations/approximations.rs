@@ -109,8 +109,17 @@ impl Checker<'_> {
     /// When the system's mass matrix is singular.
     pub(crate) fn to_first_order(&self, link: &Link, claim: &Claim, context: &Context<'_>) -> Result<FirstOrder> {
         // A claim that says what is small is about ≈, and = says more.
-        if !claim.small.is_empty() || self.model.system.is_none() {
+        if !claim.small.is_empty() {
             return Ok(FirstOrder::NotMeant);
+        }
+        if self.model.system.is_none() {
+            let is_said = claim.assume.iter().any(|latex| self.is_small(&latex.value)) && !self.options.deduction;
+            let message = "small oscillations need a Lagrangian, and there is none; beside laws write ≈, and say with \"small\" \
+                           what is small";
+            return Ok(match is_said {
+                true => FirstOrder::Judged(context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message)),
+                false => FirstOrder::NotMeant,
+            });
         }
         let Some(said) = self.says_small(claim, context.span) else { return Ok(FirstOrder::NotMeant) };
         let open = |message: &str| match self.options.deduction {

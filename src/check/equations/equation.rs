@@ -285,7 +285,8 @@ impl Checker<'_> {
         match &claim.limit {
             Some(limit) if !reading.statements.iter().flatten().any(approximates) => {
                 let message = "there is no ≈ in this equation, and \"limit\" needs one";
-                Err(Error::at(&self.claims.source, limit.span, message).help("write ≈, or remove \"limit\""))
+                Err(Error::at(&self.claims.source, limit.span, message)
+                    .help("write \\approx in the equation, or remove \"limit\""))
             }
             _ => Ok(()),
         }

@@ -59,8 +59,8 @@ impl Checker<'_> {
             self.conserved(conserved, reading, &statements, &context, parts)?;
         }
         if let Some(other) = &claim.same_motion_as {
-            let lagrangian = self.formula(other).map_err(|error| match error.code() {
-                Code::UndeclaredName => error.help(format!(
+            let lagrangian = self.formula(other).map_err(|error| match error.missing() {
+                Some(_) => error.help(format!(
                     "for the Lagrangian of the notes, add \"means\": {{ {}: \"Lagrangian\" }} to the claims file",
                     in_json(&other.value)
                 )),

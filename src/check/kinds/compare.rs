@@ -106,11 +106,17 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     let link = Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() };
     let mut finding = identity::check(&link, &context).map_err(|error| (0, Fault::new(span, error.message())))?;
     if finding.code == Code::TooFewStates {
-        finding.message = format!(
+        let has_letters = [&link.lhs, &link.rhs].iter().any(|side| !side.symbols().is_empty());
+        finding.message = match has_letters {
+            false => "a formula has no real value: no denominator may be 0, and no root, power or logarithm be that of a negative \
+                      number; an odd root is written \\sqrt[3]{x}"
+                .to_owned(),
+            true => format!(
             "only {} of {} sampled states gave a real number; give the letters ranges in which both formulas have a \
              value, as --where 'x=0.1..3' does",
             finding.points, finding.tried
-        );
+        ),
+        };
     }
     Ok(Comparison { finding, readings, assumed })
 }

@@ -94,7 +94,10 @@ impl Checker<'_> {
             return Ok(equation);
         }
         if !self.is_tried(at) {
-            equation.finding.message.push_str("; no edits were tried, since many displays cannot be read");
+            // Said once, of the first of them.
+            if (0..at).all(|before| self.is_tried(before)) {
+                equation.finding.message.push_str("; no edits of unreadable displays were tried, since there are many");
+            }
             return Ok(equation);
         }
         let display = &self.notes.equations[at];

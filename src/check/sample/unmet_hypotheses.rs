@@ -28,8 +28,8 @@ pub(crate) fn explanation(projection: &Projection<'_>) -> String {
     {
         let what = shown(&hypotheses[*at], projection);
         return format!(
-            "{what} at all times: no motion of the system may do so; if it holds at one instant, put it under \"assume\" in \
-             place of \"throughout\", or check the declared ranges"
+            "{what}: perhaps no motion of the system obeys it; if it holds at one instant, put it under \"assume\" in place of \
+             \"throughout\", or check the declared ranges"
         );
     }
     let is_unmet = |at: &usize| unmet.iter().any(|(known, _)| known == at);

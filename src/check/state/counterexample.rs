@@ -137,6 +137,7 @@ pub fn values(formulas: &[&Expr], state: &SampledState<'_, RunningError>) -> Vec
                             let columns = matrix.ncols();
                             format!("{name}_{{{}{}}}", at / columns + 1, at % columns + 1)
                         }
+                        Value::Complex(_) => format!("{}({name})", ["Re", "Im"][at.min(1)]),
                         _ => format!("{name} {}", ["x", "y", "z"][at.min(2)]),
                     };
                     if found.len() < MOST_SHOWN && !found.iter().any(|(known, _)| *known == name) {

@@ -321,7 +321,8 @@ fn equilibrium(fields: &Fields<'_>) -> Result<Option<Spanned<Equilibrium>>, Faul
             let text = fields::text(json, "equilibrium")?;
             let words =
                 [("stable", Equilibrium::Stable), ("unstable", Equilibrium::Unstable), ("steady", Equilibrium::Steady)];
-            Ok(Some(fields::word(&text, "equilibrium", &words)?))
+            let fault = |fault: Fault| fault.help("\"equilibrium\" is true, \"stable\", \"unstable\" or \"steady\"");
+            Ok(Some(fields::word(&text, "equilibrium", &words).map_err(fault)?))
         }
         Some(json) if !matches!(json.value, Value::Bool(_)) => {
             Err(fields::wrong(json, "equilibrium", "true, \"stable\", \"unstable\" or \"steady\""))

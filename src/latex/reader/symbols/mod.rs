@@ -89,10 +89,22 @@ impl Reader<'_> {
         if self.symbols.open {
             return self.undeclared(printed, span, items, cursor);
         }
+        if items.get(*cursor).is_some_and(|next| next.layout == Layout::Other('!')) {
+            return Err(Fault::unsupported(span, "a factorial is not supported")
+                .help("leave the equation out with \"skip\" in the claims file"));
+        }
         let add = match items.get(*cursor).and_then(arguments).filter(|_| dots == 0) {
             Some(arguments) => suggest::function(&name.to_string(), &arguments),
             None => suggest::declaration(&name.to_string(), dots),
         };
+        let unprimed = Name { primes: 0, ..name.clone() };
+        if let (1..=2, Some((id, _))) = (name.primes, self.symbols.find(&unprimed))
+            && self.symbols.entry(id).varies
+        {
+            let dot = if name.primes == 1 { "\\dot" } else { "\\ddot" };
+            return Err(Fault::undeclared(span, name)
+                .help(format!("for the rate of {unprimed} write {dot}{{{unprimed}}}; if not, {add}")));
+        }
         if let Some(vector) = self.vector_of_component(name) {
             return Err(Fault::undeclared(span, name).help(format!(
                 "if it is a component of {vector}, add {}: \"along \\\\hat e_a\" with your axes under \"components\" in the \
