@@ -11,6 +11,8 @@ use crate::code::Code;
 use crate::formula::units::in_si::{has_units, in_si};
 use crate::formula::units::{Affine, Dimension, UnitCheck};
 use crate::formula::{Assignment, Expr, Kind, Node, Statement, Symbols, Unavailable, Value, evaluate, text};
+#[cfg(feature = "cli")]
+use crate::latex::read_formula;
 use crate::latex::{Macros, names, read_display};
 use crate::notes::claims::Range;
 use crate::scalar::Number;
@@ -57,6 +59,28 @@ impl Formula {
         match (statements.next(), statements.next()) {
             (Some(formula), None) => Ok(formula),
             _ => Err(Error::new("this text is not one formula or equation").help("read each statement by itself")),
+        }
+    }
+
+    /// Reads a formula that has a value, with the integrals in it computed.
+    #[cfg(feature = "cli")]
+    pub(crate) fn read_value(latex: &str) -> Result<Formula> {
+        let mut symbols = Symbols::open();
+        match read_formula(latex, &mut symbols, &Macros::default()) {
+            Ok(formula) => {
+                let statement = Statement {
+                    span: formula.span,
+                    members: vec![formula],
+                    relations: Vec::new(),
+                    conditions: Vec::new(),
+                    constant: None,
+                    branch: None,
+                    row: 0,
+                };
+                Ok(Formula { statement, symbols: Arc::new(symbols) })
+            }
+            // What is wrong is said of the text as it is read elsewhere.
+            Err(_) => Formula::read(latex),
         }
     }
 
@@ -188,7 +212,7 @@ impl Formula {
                         .help("write its components, as in v_x^2 + v_y^2 + v_z^2"))
                 }
                 Node::Apply(id, _) => {
-                    let name = text::plain(&self.symbols.entry(*id).name.to_string());
+                    let name = text::plain(&self.symbols.entry(*id).name.to_string()).replace('\u{2061}', "");
                     Some(Error::new(format!("{name} has no formula, so {name}(…) has no value"))
                         .help("write its formula in its place"))
                 }

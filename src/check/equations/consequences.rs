@@ -78,9 +78,9 @@ impl Checker<'_> {
         let printed = self.model.printed_lagrangian.as_ref()?;
         let (symbol, _) = self.model.symbols.find(&printed.lagrangian)?;
         let lagrangian = Expr::new(Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, Span::default());
-        let multipliers = self.model.system.as_ref().map(|system| system.multipliers()).unwrap_or_default();
         let idle = self.model.coordinates.iter().enumerate().find(|(at, coordinate)| {
-            !multipliers.contains(at) && !self.model.depends_on(&lagrangian, &[coordinate.symbol])
+            let is_constrained = printed.constraints.iter().any(|(multiplier, _)| multiplier == at);
+            !is_constrained && !self.model.depends_on(&lagrangian, &[coordinate.symbol])
         })?;
         let (name, of) = (text::plain(&self.model.name(idle.1.symbol)), text::plain(&printed.lagrangian.to_string()));
         Some(format!(

@@ -6,7 +6,7 @@ use crate::formula::{Expr, Node, Relation, text};
 use crate::check::judge::at_states::AtStates;
 use crate::check::judge::mutants::{Mutant, mutants_of};
 use crate::check::model::Model;
-use crate::check::model::claim::{Law, Link};
+use crate::check::model::claim::{Hypothesis, Law, Link};
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
@@ -99,7 +99,11 @@ fn has_quadrature(formula: &Expr, model: &Model) -> bool {
 fn refutation(link: &Link, failure: &Failure, context: &Context<'_>, on_shell: bool) -> (Code, String) {
     let entry = failure.entry.as_deref();
     let laws = Law::phrases(&context.model.laws);
-    let circumstances = match (on_shell, laws.is_empty(), context.has_hypotheses()) {
+    // What follows from the meaning of a name, or is a premise, is no hypothesis of the claim.
+    let is_stated = |known: &Hypothesis| known.stated.is_some() && !known.implied;
+    let has_hypotheses =
+        !context.options.deduction && (context.hypotheses.iter().any(is_stated) || !context.local.is_empty());
+    let circumstances = match (on_shell, laws.is_empty(), has_hypotheses) {
         (false, _, false) => String::new(),
         (false, _, true) => " under its hypotheses".to_owned(),
         (true, true, false) => " on shell".to_owned(),
@@ -126,7 +130,7 @@ fn refutation(link: &Link, failure: &Failure, context: &Context<'_>, on_shell: b
     }
     let message = match (on_shell && !laws.is_empty(), entry) {
         (true, entry) => {
-            let hypotheses = if context.has_hypotheses() { " under its hypotheses" } else { "" };
+            let hypotheses = if has_hypotheses { " under its hypotheses" } else { "" };
             let at = entry.map_or_else(String::new, |entry| format!(": the two sides differ at {entry}"));
             format!("this does not follow from {laws}{hypotheses}{at}")
         }

@@ -57,7 +57,7 @@ impl Towards {
         match self {
             Towards::Infinity => "∞".to_owned(),
             Towards::MinusInfinity => "−∞".to_owned(),
-            Towards::Number(value) => crate::formula::text::number(*value, 5),
+            Towards::Number(value) => format!("{value}"),
         }
     }
 

@@ -174,15 +174,14 @@ impl Judge<'_, '_> {
             return Ok(Some(given(because)));
         }
         if energies::has_another_zero(self.quiet, display, reading) {
-            return Ok(Some(right("is right, with another zero of the potential energy")));
+            return Ok(Some(right("agrees, with another zero of the potential energy")));
         }
         if self.is_rounded(display, reading) {
             if let Some(why) = self.wrong_unit(at, reading) {
-                return Ok(Some((Mark::Wrong, Verdict::Refuted, why.into())));
+                return Ok(Some((Mark::Wrong, Verdict::Refuted, why)));
             }
-            let whose = if self.known.has_numbers() { "student" } else { "problem" };
             self.known.add(reading, false);
-            return Ok(Some(right(format!("is right to the printed digits, with the numbers of the {whose}"))));
+            return Ok(Some(right("agrees to the printed digits, with the numbers that are given")));
         }
         if let Some(name) = self.follows_under_a_condition(reading) {
             return Ok(Some(right(format!("follows under the condition of {name}"))));

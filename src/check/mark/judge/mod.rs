@@ -196,11 +196,11 @@ impl Judge<'_, '_> {
             return Ok(());
         }
         if matches!(status, Status::Open(..) | Status::False(_)) && self.is_near(display, &reading) {
-            (status, under) = (Status::Holds(Verdict::Verified), Some("is right to the printed digits".into()));
+            (status, under) = (Status::Holds(Verdict::Verified), Some("agrees to the printed digits".into()));
         }
         // ≈ is = beside a number.
         if matches!(status, Status::Open(..)) && self.is_rounded(display, &reading) {
-            (status, under) = (Status::Holds(Verdict::Verified), Some("is right to the printed digits".into()));
+            (status, under) = (Status::Holds(Verdict::Verified), Some("agrees to the printed digits".into()));
         }
         if self.details && energies::is_sum_of_energies(self.quiet, &reading) {
             (line.mark, line.verdict) = (Mark::Wrong, Some(Verdict::Refuted));
@@ -212,7 +212,7 @@ impl Judge<'_, '_> {
         if matches!(status, Status::Holds(_))
             && let Some(why) = self.wrong_unit(at, &reading)
         {
-            (line.mark, line.verdict, line.because) = (Mark::Wrong, Some(Verdict::Refuted), why.into());
+            (line.mark, line.verdict, line.because) = (Mark::Wrong, Some(Verdict::Refuted), why);
             self.push(line);
             return Ok(());
         }

@@ -13,11 +13,13 @@ use crate::latex::rename::renamed;
 use crate::latex::{Macros, Reading, read_formula};
 use crate::notes::claims::Claim;
 
+use crate::check::mark::marked::Because;
+
 use super::Judge;
 
 impl Judge<'_, '_> {
     /// What is wrong with the unit of the number with which a line ends; `None` where it fits, or nobody can tell.
-    pub(super) fn wrong_unit(&self, at: usize, reading: &Reading) -> Option<String> {
+    pub(super) fn wrong_unit(&self, at: usize, reading: &Reading) -> Option<Because> {
         let [Ok(statement)] = reading.statements.as_slice() else { return None };
         let (value, formulas) = statement.members.split_last()?;
         if !value.symbols().is_empty() {
@@ -54,7 +56,7 @@ impl Judge<'_, '_> {
             check.inference.reduce(&found).0.as_known()
         })?;
         (wanted != printed && !differs_by_a_count(wanted, printed)).then(|| {
-            format!("the number is right, but the unit is not: the left side is in {wanted}, and {shown} is printed")
+            Because::Unit { wanted: wanted.to_string(), printed: shown }
         })
     }
 }
