@@ -164,9 +164,8 @@ impl Formula {
             None => Ok(entries),
             Some(_) if self.has_singular_matrix() => Err(Error::new("a matrix in the formula has the determinant 0")
                 .help("such a matrix has no inverse, so the formula has no value")),
-            Some(_) if self.letters().is_empty() => {
-                Err(Error::new(format!("{what} has no real value")).help("no denominator may be 0, and no root or logarithm negative"))
-            }
+            Some(_) if self.letters().is_empty() => Err(Error::new(format!("{what} has no real value"))
+                .help("no denominator may be 0, and no root or logarithm negative")),
             Some(entry) if entry.is_nan() => {
                 Err(Error::new(format!("{what} has no real value at this point, like the root of a negative number"))
                     .help("choose values at which every root, logarithm and quotient in it is a real number"))
@@ -196,7 +195,9 @@ impl Formula {
     fn has_singular_matrix(&self) -> bool {
         let mut found = false;
         self.statement.members.iter().for_each(|member| {
-            member.walk(&mut |expr| found |= matches!(&expr.node, Node::Inverse(of) if matches!(of.node, Node::Matrix(_))));
+            member.walk(&mut |expr| {
+                found |= matches!(&expr.node, Node::Inverse(of) if matches!(of.node, Node::Matrix(_)))
+            });
         });
         found
     }
@@ -208,13 +209,17 @@ impl Formula {
             let error = match &expr.node {
                 Node::Symbol { id, .. } if self.symbols.entry(*id).kind == Kind::Vector => {
                     let name = self.symbols.entry(*id).name.to_string();
-                    Some(Error::new(format!("{} is a vector, and --set gives numbers only", text::plain(&name)))
-                        .help("write its components, as in v_x^2 + v_y^2 + v_z^2"))
+                    Some(
+                        Error::new(format!("{} is a vector, and --set gives numbers only", text::plain(&name)))
+                            .help("write its components, as in v_x^2 + v_y^2 + v_z^2"),
+                    )
                 }
                 Node::Apply(id, _) => {
                     let name = text::plain(&self.symbols.entry(*id).name.to_string()).replace('\u{2061}', "");
-                    Some(Error::new(format!("{name} has no formula, so {name}(…) has no value"))
-                        .help("write its formula in its place"))
+                    Some(
+                        Error::new(format!("{name} has no formula, so {name}(…) has no value"))
+                            .help("write its formula in its place"),
+                    )
                 }
                 _ => None,
             };

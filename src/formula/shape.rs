@@ -168,8 +168,10 @@ impl Binder<'_> {
         if found.shape != Shape::Scalar && !self.symbols.is_abstract() {
             let fault = Fault::shape(span, format!("{what} must be a scalar, but this is {}", found.shape.noun()));
             return Err(match found.shape {
-                Shape::Complex => Fault { message: format!("{what} must be a real number, but this is complex"), ..fault }
-                    .help("write an equation for the real part and one for the imaginary part"),
+                Shape::Complex => {
+                    Fault { message: format!("{what} must be a real number, but this is complex"), ..fault }
+                        .help("write an equation for the real part and one for the imaginary part")
+                }
                 _ => fault,
             });
         }

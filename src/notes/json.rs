@@ -211,10 +211,12 @@ fn syntax(text: &str, start: usize, error: &serde_json::Error) -> Fault {
                 .help("write the string on one line; its closing `\"` may be missing")
         }
         _ if text[offset..].starts_with("//") || text[offset..].starts_with("/*") => {
-            invalid(span, "this is not JSON: JSON has no comments").help("write the reason under \"because\", or remove the comment")
+            invalid(span, "this is not JSON: JSON has no comments")
+                .help("write the reason under \"because\", or remove the comment")
         }
         _ if text[offset..].starts_with('\'') => {
-            invalid(span, "this is not JSON: a string stands between double quotation marks").help("write \" in place of '")
+            invalid(span, "this is not JSON: a string stands between double quotation marks")
+                .help("write \" in place of '")
         }
         _ if !text.trim_start().starts_with('{') => {
             invalid(span, "this is not JSON, and no claims file").help("a claims file is JSON, and begins with {")

@@ -50,11 +50,15 @@ impl Start {
             } else {
                 let all: Vec<&str> =
                     system.coordinates().iter().chain(system.parameters()).map(String::as_str).collect();
-                return Err(Error::new(format!("{} is not a coordinate, rate or parameter of {}", plain(latex), system.name()))
-                    .help(format!(
-                        "its names are {}; a rate is written with a dot, as in '\\dot\\theta=0.5'",
-                        all.join(", ")
-                    )));
+                return Err(Error::new(format!(
+                    "{} is not a coordinate, rate or parameter of {}",
+                    plain(latex),
+                    system.name()
+                ))
+                .help(format!(
+                    "its names are {}; a rate is written with a dot, as in '\\dot\\theta=0.5'",
+                    all.join(", ")
+                )));
             }
         }
         Ok(start)

@@ -60,7 +60,9 @@ pub fn repair(repair: &Repair, first: bool, source: &Source, style: Style) -> St
             format!("With this edit of ({of}), {} {hold}", listed(mends, "and"))
         }
         (Some(Shared { of, mends }), _) => match mends.as_slice() {
-            [one] if !is_adjective(repair.verdict) => format!("({one}) uses ({of}); with this edit of ({of}), ({one}) passes"),
+            [one] if !is_adjective(repair.verdict) => {
+                format!("({one}) uses ({of}); with this edit of ({of}), ({one}) passes")
+            }
             [one] => format!("({one}) uses ({of}); with this edit of ({of}), it is {}", repair.verdict),
             _ => format!("{} use ({of}); with this edit of ({of}), all of them hold", listed(mends, "and")),
         },

@@ -120,7 +120,9 @@ fn counted(document: &Document, style: Style) -> String {
         told = unaided_counts(&items(document).collect::<Vec<_>>());
     }
     if told.is_empty() && document.unnumbered == 0 {
-        told.push("nothing to check: no displayed equation was found, and formulas in a sentence are not checked".to_owned());
+        told.push(
+            "nothing to check: no displayed equation was found, and formulas in a sentence are not checked".to_owned(),
+        );
     } else if told.is_empty() {
         told.push("nothing to check".to_owned());
     }

@@ -87,12 +87,9 @@ fn a_range_that_is_none_is_followed_by_one_that_works() {
     let with = |range: &str| {
         check("range", "$$ n + n = 2n \\tag{1} $$\n", &json!({ "notes": "notes.md", "constants": { "n": range } }))
     };
-    for (wrong, right) in [
-        ("integer", "integer 1..5"),
-        ("3x3", "3x3 matrix"),
-        (">= 0", "[0, \\infty)"),
-        ("complex number", "complex"),
-    ] {
+    for (wrong, right) in
+        [("integer", "integer 1..5"), ("3x3", "3x3 matrix"), (">= 0", "[0, \\infty)"), ("complex number", "complex")]
+    {
         let said = with(wrong);
         let quoted = right.replace('\\', "\\\\");
         assert!(said.contains("is not a range") && said.contains(&format!("\"{quoted}\"")), "{wrong}: {said}");
@@ -199,6 +196,8 @@ fn small_motion_and_limits_say_what_they_need() {
     assert!(said.contains("verified") || said.contains("certified"), "{said}");
     let root = "$$ \\sqrt{1+x} \\approx 1 + \\frac x3 \\tag{1} $$\n";
     let near = |claim: Value| json!({ "notes": "notes.md", "constants": { "x": "> 0" }, "equations": { "1": claim } });
-    assert!(check("limit", root, &near(json!({ "limit": "x \\to 0" }))).contains("write \"small\" in place of \"limit\""));
+    assert!(
+        check("limit", root, &near(json!({ "limit": "x \\to 0" }))).contains("write \"small\" in place of \"limit\"")
+    );
     assert!(check("limit-then", root, &near(json!({ "small": "x" }))).contains("refuted"));
 }

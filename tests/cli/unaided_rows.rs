@@ -40,7 +40,10 @@ fn a_label_is_that_of_its_row_and_each_row_is_judged() {
 fn a_number_of_rows_that_belong_together_is_one_display() {
     let split = |row: &str| {
         let body = format!("F &= m a \\\\ {row} &= 2a");
-        found("split", &format!("\\begin{{equation}}\\label{{eq:F}}\n\\begin{{split}}{body}\\end{{split}}\n\\end{{equation}}"))
+        found(
+            "split",
+            &format!("\\begin{{equation}}\\label{{eq:F}}\n\\begin{{split}}{body}\\end{{split}}\n\\end{{equation}}"),
+        )
     };
     assert_eq!(split(r"\frac{2F}{m}"), named(&[("eq:F", "definition")]));
     assert_eq!(split(r"\frac{F}{m}"), named(&[("eq:F", "refuted")]));

@@ -338,7 +338,8 @@ impl Checker<'_> {
             self.hypothesis(&at_once(&format!("{time} = 0")), throughout, into)?;
             return self.hypothesis(&at_once(&text), throughout, into);
         }
-        let has_relation = ["=", "<", ">", "\\n", "\\l", "\\g", "\\a", "\\s", "\\eq", "≠", "≤", "≥", "≪", "≫", "≈", "→", "\\t"];
+        let has_relation =
+            ["=", "<", ">", "\\n", "\\l", "\\g", "\\a", "\\s", "\\eq", "≠", "≤", "≥", "≪", "≫", "≈", "→", "\\t"];
         let are_words = !has_relation.iter().any(|sign| latex.value.contains(sign));
         let statements = self.statements(latex).map_err(|error| {
             let names = self.claims.conditions.iter().map(|(name, _)| name.value.as_str());

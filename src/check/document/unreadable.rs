@@ -38,9 +38,8 @@ impl<'a> UnreadableDisplays<'a> {
         let lacks = |fault: &&Fault| matches!(&fault.missing, Some(Missing::Name(own)) if name_search::same(own, name));
         // What lacks only other names is misprinted in them: it has this one whole, if it introduces it.
         // So does what is typeset well, and only not supported: the d of an integral is no symbol.
-        let is_own = |fault: &&Fault| {
-            !matches!(&fault.missing, Some(Missing::Name(_))) && fault.code != Code::NotSupported
-        };
+        let is_own =
+            |fault: &&Fault| !matches!(&fault.missing, Some(Missing::Name(_))) && fault.code != Code::NotSupported;
         let (display, _) = self.faults.iter().find(|(at, faults)| {
             let text = &self.notes.equations[*at].text;
             let has_it = if faults.iter().any(is_own) { name_search::mentions } else { name_search::is_a_side };

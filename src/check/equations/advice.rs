@@ -114,7 +114,8 @@ impl Checker<'_> {
         let claims: Vec<&Claim> = self.claims.equations.iter().map(|(_, claim)| claim).collect();
         let solver = claims.iter().find(solves)?;
         let unknown = solver.solves.as_ref()?.unknowns.first()?;
-        let entry = format!("\"expect\": \"refuted\", \"because\": {}", in_json(&format!("an equation for {}", unknown.value)));
+        let entry =
+            format!("\"expect\": \"refuted\", \"because\": {}", in_json(&format!("an equation for {}", unknown.value)));
         Some(format!(
             "another display solves this equation for {}, so it is no identity; write {} in the claims file",
             text::plain(&unknown.value),

@@ -138,7 +138,8 @@ impl Checker<'_> {
         let link = self.link(&other, Relation::Equal, &printed)?;
         let finding = match self.only_repeats(&link, &reading.introduced) {
             true => {
-                let message = "\"also equals\" only repeats the printed formula, so nothing is checked; give another form";
+                let message =
+                    "\"also equals\" only repeats the printed formula, so nothing is checked; give another form";
                 context.finding(Code::Circular, Verdict::Undecided, message)
             }
             false => {
@@ -256,8 +257,7 @@ impl Checker<'_> {
                          state it of a display that gives each coordinate a value",
                     )
                 } else {
-                    is_nowhere
-                        .then_some("this gives no coordinate a value; say under \"at\" where each coordinate is")
+                    is_nowhere.then_some("this gives no coordinate a value; say under \"at\" where each coordinate is")
                 };
                 let finding = match (refused, known) {
                     (Some(message), _) => context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message),
@@ -280,7 +280,12 @@ impl Checker<'_> {
     ///
     /// # Errors
     /// When the system's mass matrix is singular.
-    pub(crate) fn with_needless_terms(&self, printed: &Link, finding: Finding, context: &Context<'_>) -> Result<Finding> {
+    pub(crate) fn with_needless_terms(
+        &self,
+        printed: &Link,
+        finding: Finding,
+        context: &Context<'_>,
+    ) -> Result<Finding> {
         if finding.verdict != Verdict::Refuted || !identity::check(printed, &context.quick())?.verdict.holds() {
             return Ok(finding);
         }

@@ -134,7 +134,9 @@ fn refutation(link: &Link, failure: &Failure, context: &Context<'_>, on_shell: b
             let at = entry.map_or_else(String::new, |entry| format!(": the two sides differ at {entry}"));
             format!("this does not follow from {laws}{hypotheses}{at}")
         }
-        (false, Some(part)) if circumstances.is_empty() && part.ends_with(" part") => format!("the two sides differ in the {part}"),
+        (false, Some(part)) if circumstances.is_empty() && part.ends_with(" part") => {
+            format!("the two sides differ in the {part}")
+        }
         (false, Some(entry)) if circumstances.is_empty() => format!("the two sides differ at {entry}"),
         (false, Some(entry)) => format!("the two sides differ{circumstances}, at {entry}"),
         (false, None) => format!("the two sides differ{circumstances}"),

@@ -90,7 +90,10 @@ impl fmt::Display for Because {
             Because::AtSpeed(speed) => write!(f, "follows where the speed is {speed}"),
             Because::AtValue(of, value) => write!(f, "follows where {of} is {value}"),
             Because::Unit { wanted, printed } => {
-                write!(f, "has the right number, but not the right unit: the left side is in {wanted}, and {printed} is printed")
+                write!(
+                    f,
+                    "has the right number, but not the right unit: the left side is in {wanted}, and {printed} is printed"
+                )
             }
             Because::Said(predicate) => f.write_str(predicate),
         }

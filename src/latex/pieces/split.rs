@@ -241,8 +241,10 @@ impl<'a> Splitter<'a, '_> {
                     Fault::unsupported(item.span, "a unit after a letter or a formula is not supported")
                         .help("remove the unit, or write it after a number")
                 }
-                _ => Fault::unsupported(item.span, "these words qualify the formula before them, which is not supported")
-                    .help("write an equation, or a comma before words that only explain")
+                _ => {
+                    Fault::unsupported(item.span, "these words qualify the formula before them, which is not supported")
+                        .help("write an equation, or a comma before words that only explain")
+                }
             });
         }
         self.end();

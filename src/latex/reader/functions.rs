@@ -57,7 +57,9 @@ impl Reader<'_> {
         }
         let Some(first) = items.get(*cursor) else {
             let name = function.name();
-            return Err(Fault::new(head, format!("\\{name} needs an argument")).help(format!("write one, as in \\{name} x")));
+            return Err(
+                Fault::new(head, format!("\\{name} needs an argument")).help(format!("write one, as in \\{name} x"))
+            );
         };
         let (argument, enclosed) = match &first.layout {
             Layout::Fence(..) | Layout::Group(_) => {

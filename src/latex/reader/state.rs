@@ -123,8 +123,8 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
 
 /// Functions and operators that are read for their structure only.
 const WITHOUT_VALUE: [&str; 14] = [
-    "\\binom", "\\dbinom", "\\tbinom", "\\max", "\\min", "\\sup", "\\inf", "\\arg", "\\gcd", "\\deg", "\\limsup", "\\liminf",
-    "\\lceil", "\\lfloor",
+    "\\binom", "\\dbinom", "\\tbinom", "\\max", "\\min", "\\sup", "\\inf", "\\arg", "\\gcd", "\\deg", "\\limsup",
+    "\\liminf", "\\lceil", "\\lfloor",
 ];
 
 /// The advice to leave an equation out.
@@ -196,9 +196,7 @@ pub(super) fn unread(item: &Item, has_claims: bool) -> Fault {
             .help("write an equation for each value; write numbers as 1000 and 1.5"),
         Layout::Other('.' | '…') => Fault::unsupported(span, "a point between formulas is not supported")
             .help("write \\cdot for a product, and all terms in place of an ellipsis"),
-        Layout::Other('!') => {
-            Fault::unsupported(span, "a factorial is not supported").help(left_out(has_claims))
-        }
+        Layout::Other('!') => Fault::unsupported(span, "a factorial is not supported").help(left_out(has_claims)),
         Layout::Other(c) => {
             let fault = Fault::unsupported(span, format!("“{c}” is not supported here"));
             match in_latex(*c) {

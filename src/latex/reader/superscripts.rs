@@ -162,7 +162,9 @@ impl Reader<'_> {
             [Item { layout: Layout::Other('*' | '+' | '-' | '°' | '†'), .. }] => return Err(self.mark(base, sup)),
             // `2^{(n-1)}`, `(a + b)^{(n-1)}`: neither has a mark.
             [Item { layout: Layout::Fence(Delimiter::Round, _), .. }] if is_value(base) => return Ok(()),
-            [Item { layout: Layout::Fence(delimiter, _), .. }] if !is_bar(*delimiter) => return Err(self.mark(base, sup)),
+            [Item { layout: Layout::Fence(delimiter, _), .. }] if !is_bar(*delimiter) => {
+                return Err(self.mark(base, sup));
+            }
             [Item { layout: Layout::Text(_), .. }] => return Err(label(sup.span)),
             // `v^{\hat r}` is the component along a direction.
             [Item { layout: Layout::Accent(accent, _), .. }] if self.symbols.open && accent == "\\hat" => {
@@ -263,7 +265,10 @@ impl Reader<'_> {
         let (name, _) = self.name_of(base);
         let name = if name.is_empty() { "x" } else { name };
         let (message, help) = if matches!(base.node, Node::Number(_)) && has_sign {
-            ("a limit from one side is not supported".to_owned(), format!("leave ^{above} out where both limits are equal"))
+            (
+                "a limit from one side is not supported".to_owned(),
+                format!("leave ^{above} out where both limits are equal"),
+            )
         } else if contents(sup).iter().any(is_dagger) {
             let message = format!("the superscript {above} needs a matrix or a complex number");
             (message, format!("declare {name} as one, such as \"2x2 matrix\" or \"complex\", under \"constants\""))
@@ -350,7 +355,6 @@ fn is_bar(delimiter: Delimiter) -> bool {
 fn unclear(span: Span, sup: &Item, meanings: &str) -> Fault {
     Fault::ambiguous(span, format!("the superscript {} may be {meanings}", typed(contents(sup))))
 }
-
 
 fn label(span: Span) -> Fault {
     Fault::unsupported(span, "a word above a symbol is not supported").help("write it below, such as x_{\\text{ext}}")

@@ -96,7 +96,11 @@ fn meant(text: &str) -> Option<String> {
         _ if ["<=", "≤", "\\le", "\\leq"].iter().any(|sign| is_at_least(sign)) => {
             Some("write \"< 0\", or \"(-\\\\infty, 0]\" if the end belongs to the range".to_owned())
         }
-        _ => WORDS.iter().find(word).filter(|word| **word != text).map(|word| format!("did you mean \"{word}\"? {RANGES}")),
+        _ => WORDS
+            .iter()
+            .find(word)
+            .filter(|word| **word != text)
+            .map(|word| format!("did you mean \"{word}\"? {RANGES}")),
     }
 }
 
@@ -287,7 +291,9 @@ pub(super) fn between(written: &Spanned<String>, name: &str) -> Option<(Spanned<
         return Some((Spanned::new(Range::Any, written.span), vec![condition]));
     }
     // `> a` has one end, and is the interval from it.
-    let one_end = |sign: char| text.strip_prefix(sign).filter(|_| meant(text).is_none()).map(str::trim).filter(|end| endpoint(end).is_err());
+    let one_end = |sign: char| {
+        text.strip_prefix(sign).filter(|_| meant(text).is_none()).map(str::trim).filter(|end| endpoint(end).is_err())
+    };
     let one_ended = one_end('>').map(|end| format!("({end}, \\infty)"));
     let one_ended = one_ended.or_else(|| one_end('<').map(|end| format!("(-\\infty, {end})")));
     let text = one_ended.as_deref().unwrap_or(text);

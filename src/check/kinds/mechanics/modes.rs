@@ -50,8 +50,7 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
         verdict if verdict.holds() && pencil.is_massless(context)? => return Ok(unsupported(context)),
         verdict if verdict.holds() => {}
         Verdict::Refuted => {
-            let message =
-                "this is not a normal frequency: below, the left side is det(K − ω²M), which is not 0 there; K and M are the second \
+            let message = "this is not a normal frequency: below, the left side is det(K − ω²M), which is not 0 there; K and M are the second \
                  derivatives of −L by the coordinates and of L by the velocities";
             return Ok(Finding { message: message.to_owned(), ..found });
         }

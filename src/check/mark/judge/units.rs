@@ -5,9 +5,9 @@
 
 use std::collections::HashMap;
 
+use crate::formula::text::formula as formula_text;
 use crate::formula::units::in_si::has_units;
 use crate::formula::units::{Affine, Dimension, UnitCheck};
-use crate::formula::text::formula as formula_text;
 use crate::formula::{Expr, Node, Statement, Symbols};
 use crate::latex::rename::renamed;
 use crate::latex::{Macros, Reading, read_formula};
@@ -55,9 +55,8 @@ impl Judge<'_, '_> {
             let found = check.dimension(formula).ok()??;
             check.inference.reduce(&found).0.as_known()
         })?;
-        (wanted != printed && !differs_by_a_count(wanted, printed)).then(|| {
-            Because::Unit { wanted: wanted.to_string(), printed: shown }
-        })
+        (wanted != printed && !differs_by_a_count(wanted, printed))
+            .then(|| Because::Unit { wanted: wanted.to_string(), printed: shown })
     }
 }
 
@@ -80,15 +79,18 @@ fn differs_by_a_count(a: Dimension, b: Dimension) -> bool {
     same == b
 }
 
-/// The dimension of a number with its unit at the end of a text, and how it is printed; `None` without a unit, or with one that has
-/// two meanings.
+/// The dimension of a number with its unit at the end of a text, and how it is printed; `None` without a unit, or with one that may stand
+/// for another quantity.
 fn printed_unit(text: &str) -> Option<(Dimension, String)> {
     let end = text.rfind(['=', '≈']).map(|at| at + text[at..].chars().next().map_or(0, char::len_utf8));
     let end = end.max(text.rfind("\\approx").map(|at| at + "\\approx".len()))?;
     let mut symbols = Symbols::open();
     let value = read_formula(&text[end..], &mut symbols, &Macros::default()).ok()?;
     let mut is_doubtful = false;
-    value.walk(&mut |part| is_doubtful |= matches!(&part.node, Node::Unit(unit) if unit.is_doubtful()));
+    // Where constants of nature are 1, a mass is printed in electronvolts.
+    value.walk(&mut |part| {
+        is_doubtful |= matches!(&part.node, Node::Unit(unit) if unit.is_doubtful() || unit.is_natural());
+    });
     if !has_units(&value) || !value.symbols().is_empty() || is_doubtful {
         return None;
     }
