@@ -93,8 +93,8 @@ impl Reader<'_> {
                 && matches!(&is_in.layout, Layout::Command(name) if name == "\\in")
             {
                 let index = self.particle(subject)?;
-                let within = Some(self.region(region, is_in.span).map_err(|_| {
-                    Fault::unsupported(is_in.span, "a sum over a set is not supported")
+                let within = Some(self.region(region, is_in.span).map_err(|fault| {
+                    Fault::unsupported(fault.span, "a sum over a set is not supported")
                         .help("declare the index under \"indices\" in the claims file, and write \\sum_i")
                 })?);
                 overs.push(Over { index, except: Vec::new(), within, pair: None });
