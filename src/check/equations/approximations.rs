@@ -33,7 +33,7 @@ pub(crate) enum FirstOrder {
     /// Nothing says that the motion is small.
     NotMeant,
     /// It holds, or it could not be decided.
-    Judged(Finding),
+    Judged(Box<Finding>),
     /// It is false to first order about these places.
     Fails(String),
 }
@@ -95,7 +95,7 @@ impl Checker<'_> {
         }
         Ok(match self.to_first_order(link, claim, context)? {
             FirstOrder::NotMeant => term_fit::fitted(link, context, found),
-            FirstOrder::Judged(judged) => judged,
+            FirstOrder::Judged(judged) => *judged,
             FirstOrder::Fails(places) => {
                 let message = format!("{}, also to first order about {places}", found.message);
                 Finding { message, difference: None, ..found }
@@ -117,7 +117,9 @@ impl Checker<'_> {
             let message = "small oscillations need a Lagrangian, and there is none; beside laws write ≈, and say with \"small\" \
                            what is small";
             return Ok(match is_said {
-                true => FirstOrder::Judged(context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message)),
+                true => {
+                    FirstOrder::Judged(Box::new(context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message)))
+                }
                 false => FirstOrder::NotMeant,
             });
         }
@@ -125,7 +127,10 @@ impl Checker<'_> {
         let open = |message: &str| match self.options.deduction {
             // Without a claims file, what is not decided is taken for granted.
             true => Ok(FirstOrder::NotMeant),
-            false => Ok(FirstOrder::Judged(context.finding(Code::NotDecided, Verdict::Undecided, message.to_owned()))),
+            false => {
+                let finding = context.finding(Code::NotDecided, Verdict::Undecided, message.to_owned());
+                Ok(FirstOrder::Judged(Box::new(finding)))
+            }
         };
         let Some(places) = self.places_of(&said) else {
             return open("this does not hold exactly, and it was not tried to first order about this place");
@@ -135,7 +140,7 @@ impl Checker<'_> {
         match small::of_motion(&close, &small, &rates, context) {
             Ok(linear) if linear.verdict.holds() => {
                 let message = format!("about {}, this {}", self.shown(&places), linear.message);
-                Ok(FirstOrder::Judged(Finding { message, ..linear }))
+                Ok(FirstOrder::Judged(Box::new(Finding { message, ..linear })))
             }
             // A place with a letter is one of rest, or of a steady motion, under a condition that the claim need not contain.
             Ok(linear)

@@ -141,9 +141,8 @@ impl Reader<'_> {
         if !zero {
             return Err(refused());
         }
-        let region = self
-            .region(&below[..arrow], limit.span)
-            .map_err(|fault| Fault { span: fault.span, ..refused() })?;
+        let region =
+            self.region(&below[..arrow], limit.span).map_err(|fault| Fault { span: fault.span, ..refused() })?;
         if rest.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
             return Err(Fault::new(limit.span, "no formula follows this limit"));
         }
