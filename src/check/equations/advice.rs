@@ -58,8 +58,8 @@ impl Checker<'_> {
         let name = symbol.map_or_else(|| "…".to_owned(), |symbol| self.model.name(*symbol));
         let small = self.entry(place, &format!("\"small\": {}", in_json(&name)));
         let message = format!("≈ does not say when the two sides are nearly equal; write {small} in the claims file");
-        // An angle, or what may be 0, tends to infinity in no limit that anybody means.
-        let may_grow = symbol.is_some_and(|symbol| !contains(&self.model.range(*symbol), 0.0));
+        // An angle tends to infinity in no limit that anybody means.
+        let may_grow = symbol.is_some_and(|symbol| !self.model.symbols.entry(*symbol).angle);
         match may_grow {
             true => format!("{message}, or \"limit\": {} for a limit", in_json(&format!("{name}\\to\\infty"))),
             false => message,
@@ -72,7 +72,7 @@ impl Checker<'_> {
         if finding.code != Code::SidesDiffer || !context.options.explain || context.options.deduction {
             return finding;
         }
-        if let Some(reason) = self.is_equation_for(link, context).or_else(|| self.lacks_a_motion(link, context)) {
+        if let Some(reason) = self.is_equation_for(link, context) {
             return Finding { message: format!("{}; {reason}", finding.message), ..finding };
         }
         let stands_in = |id, formula: &Expr| formula.symbols().iter().any(|(known, _)| *known == id);
@@ -88,7 +88,10 @@ impl Checker<'_> {
             _ => None,
         };
         let Some(id) = [(&link.lhs, &link.rhs), (&link.rhs, &link.lhs)].into_iter().find_map(undetermined) else {
-            return finding;
+            return match self.lacks_a_motion(link, context) {
+                Some(reason) => Finding { message: format!("{}; {reason}", finding.message), ..finding },
+                None => finding,
+            };
         };
         let name = text::plain(&self.model.name(id));
         let message = format!(
