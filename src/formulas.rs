@@ -10,7 +10,9 @@ use crate::check::kinds::compare::{self, Comparison};
 use crate::code::Code;
 use crate::formula::units::in_si::{has_units, in_si};
 use crate::formula::units::{Affine, Dimension, UnitCheck};
-use crate::formula::{Assignment, Expr, Node, Statement, Symbols, Unavailable, Value, evaluate, text};
+use crate::formula::{Assignment, Expr, Kind, Node, Statement, Symbols, Unavailable, Value, evaluate, text};
+#[cfg(feature = "cli")]
+use crate::latex::read_formula;
 use crate::latex::{Macros, names, read_display};
 use crate::notes::claims::Range;
 use crate::scalar::Number;
@@ -57,6 +59,28 @@ impl Formula {
         match (statements.next(), statements.next()) {
             (Some(formula), None) => Ok(formula),
             _ => Err(Error::new("this text is not one formula or equation").help("read each statement by itself")),
+        }
+    }
+
+    /// Reads a formula that has a value, with the integrals in it computed.
+    #[cfg(feature = "cli")]
+    pub(crate) fn read_value(latex: &str) -> Result<Formula> {
+        let mut symbols = Symbols::open();
+        match read_formula(latex, &mut symbols, &Macros::default()) {
+            Ok(formula) => {
+                let statement = Statement {
+                    span: formula.span,
+                    members: vec![formula],
+                    relations: Vec::new(),
+                    conditions: Vec::new(),
+                    constant: None,
+                    branch: None,
+                    row: 0,
+                };
+                Ok(Formula { statement, symbols: Arc::new(symbols) })
+            }
+            // What is wrong is said of the text as it is read elsewhere.
+            Err(_) => Formula::read(latex),
         }
     }
 
@@ -138,6 +162,10 @@ impl Formula {
         let (entries, what) = self.evaluated::<f64>(values)?;
         match entries.iter().find(|entry| !entry.is_finite()) {
             None => Ok(entries),
+            Some(_) if self.has_singular_matrix() => Err(Error::new("a matrix in the formula has the determinant 0")
+                .help("such a matrix has no inverse, so the formula has no value")),
+            Some(_) if self.letters().is_empty() => Err(Error::new(format!("{what} has no real value"))
+                .help("no denominator may be 0, and no root or logarithm negative")),
             Some(entry) if entry.is_nan() => {
                 Err(Error::new(format!("{what} has no real value at this point, like the root of a negative number"))
                     .help("choose values at which every root, logarithm and quotient in it is a real number"))
@@ -163,6 +191,45 @@ impl Formula {
         Ok(self.entries(values)?.into_iter().zip(&sizes).map(|(value, size)| error(value, size)).collect())
     }
 
+    /// Whether the formula has no letters, and an inverse of a matrix that is written out.
+    fn has_singular_matrix(&self) -> bool {
+        let mut found = false;
+        self.statement.members.iter().for_each(|member| {
+            member.walk(&mut |expr| {
+                found |= matches!(&expr.node, Node::Inverse(of) if matches!(of.node, Node::Matrix(_)))
+            });
+        });
+        found
+    }
+
+    /// That all letters are numbers, and all functions have a formula.
+    fn has_only_numbers(&self, formula: &Expr) -> Result<()> {
+        let mut found = None;
+        formula.walk(&mut |expr| {
+            let error = match &expr.node {
+                Node::Symbol { id, .. } if self.symbols.entry(*id).kind == Kind::Vector => {
+                    let name = self.symbols.entry(*id).name.to_string();
+                    Some(
+                        Error::new(format!("{} is a vector, and --set gives numbers only", text::plain(&name)))
+                            .help("write its components, as in v_x^2 + v_y^2 + v_z^2"),
+                    )
+                }
+                Node::Apply(id, _) => {
+                    let name = text::plain(&self.symbols.entry(*id).name.to_string()).replace('\u{2061}', "");
+                    Some(
+                        Error::new(format!("{name} has no formula, so {name}(…) has no value"))
+                            .help("write its formula in its place"),
+                    )
+                }
+                _ => None,
+            };
+            if found.is_none() {
+                found = error;
+            }
+        });
+        found.map_or(Ok(()), Err)
+    }
+
     /// The entries of the formula's value over any number, and what each of them is called.
     fn evaluated<B: Number>(&self, values: &[(&str, f64)]) -> Result<(Vec<B>, &'static str)> {
         let [formula] = self.statement.members.as_slice() else {
@@ -171,14 +238,23 @@ impl Formula {
         self.unit()?;
         let mut formula = formula.clone();
         in_si(&mut formula);
+        self.has_only_numbers(&formula)?;
         let mut state = Assignment::<B>::new(&self.symbols);
         let mut known = Vec::new();
         for (name, value) in values {
             let parsed = names::parse(name);
             let found = parsed.and_then(|(name, dots)| self.symbols.find(&name).map(|(id, _)| (id, dots)));
             let Some((id, dots)) = found else {
-                return Err(Error::new(format!("{} does not occur in the formula", text::plain(name)))
-                    .help(format!("its letters are {}", self.letters().join(", "))));
+                let letters = self.letters();
+                let help = match letters.is_empty() {
+                    true => "the formula has no letters, so leave --set out".to_owned(),
+                    false => format!("its letters are {}", letters.join(", ")),
+                };
+                let message = match names::parse(name).is_some_and(|(name, _)| name.base == "\\pi") {
+                    true => "π has its value, and no other can be set".to_owned(),
+                    false => format!("{} is not a letter of the formula", text::plain(name)),
+                };
+                return Err(Error::new(message).help(help));
             };
             if known.contains(&(id, dots)) {
                 return Err(Error::new(format!("{} is set twice", text::plain(name))).help("set it once"));
@@ -199,8 +275,11 @@ impl Formula {
         let value = evaluate(&formula, &state, &[]).map_err(|reason| match reason {
             Unavailable::Derivative(_) => Error::new("the formula needs the value of a time derivative")
                 .help("set the dotted symbols too: --set '\\dot x=…'"),
-            Unavailable::Operation(what) => Error::new(format!("the formula has no value: {what}")),
-            Unavailable::Symbol(_) => Error::new("a symbol of the formula has no value"),
+            Unavailable::Operation(what) => Error::new(format!("the formula has no value: it contains {what}"))
+                .help("evaluate a part of it without this"),
+            Unavailable::Symbol(id) => {
+                Error::new(format!("{} has no value", text::plain(&self.symbols.entry(id).name.to_string())))
+            }
         })?;
         Ok(match value {
             Value::Scalar(value) => (vec![value.value()], "the formula"),

@@ -15,6 +15,8 @@ mod damage;
 mod derive;
 #[path = "cli/explain.rs"]
 mod explain;
+#[path = "cli/followed_advice.rs"]
+mod followed_advice;
 #[path = "cli/formats.rs"]
 mod formats;
 #[path = "cli/formulas.rs"]
@@ -69,6 +71,8 @@ mod schema;
 mod steps;
 #[path = "cli/strangers.rs"]
 mod strangers;
+#[path = "cli/true_messages.rs"]
+mod true_messages;
 #[path = "cli/typst.rs"]
 mod typst;
 #[path = "cli/unaided.rs"]

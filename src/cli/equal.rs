@@ -30,7 +30,7 @@ pub struct Arguments {
     #[arg(long, default_value_t = 1, allow_negative_numbers = true, value_parser = values::seed)]
     seed: u64,
     /// The number of sampled states
-    #[arg(long, default_value_t = 64, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, default_value_t = 64, allow_negative_numbers = true, value_parser = values::points)]
     points: u32,
     /// The form of the output
     #[arg(long, value_enum, default_value_t = Format::Text)]

@@ -69,7 +69,7 @@ type WithError = (f64, f64);
 /// The value of the formula, one number or the entries of a vector or a matrix, each with a bound of its rounding error; and
 /// its unit, if units stand in it.
 fn entries(arguments: &Arguments) -> Result<(Vec<WithError>, Option<String>)> {
-    let formula = Formula::read(&arguments.formula)?;
+    let formula = Formula::read_value(&arguments.formula)?;
     let values = arguments.values.iter().map(|pair| setting(pair)).collect::<Result<Vec<_>>>()?;
     Ok((formula.entries_with_errors(&values)?, formula.unit()?))
 }

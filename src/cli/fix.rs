@@ -9,6 +9,7 @@
 //! - an edit after which a side is zero whatever its symbols mean;
 //! - a new term or factor that stands nowhere in the notes and is not a number;
 //! - another name, a term or a factor, where anything else is suggested;
+//! - an edit of one of two displays that contradict each other;
 //! - an edit of another display, where an edit of a third display would do as well, or where it leaves something out.
 //!
 //! These edits are made after asking only: an edit of an equation that uses a display which no passing equation uses; an
@@ -23,6 +24,7 @@ use std::io::{BufRead, IsTerminal, Write};
 use std::path::Path;
 
 use crate::check::{Document, Equation, Repair, Report, Verdict};
+use crate::code::Code;
 use crate::latex::slips::Slip;
 use crate::report::{Style, mutants, suggestion, wrap};
 use crate::{Error, Result};
@@ -81,7 +83,11 @@ fn fix_documents(report: &Report, yes: bool, style: Style, fixed: &mut Fixed) ->
         let mut edited = Vec::new();
         let unclear = |equation: &&Equation| !equation.repairs.is_empty() && clear(document, equation).is_none();
         fixed.told.extend(document.equations.iter().filter(unclear).map(|equation| {
-            format!("({}) was not edited: no suggestion for it is clear enough; choose one by hand", equation.id)
+            let why = match equation.finding.code {
+                Code::Contradiction => "two displays contradict each other, and only you know which is wrong",
+                _ => "no suggestion for it is clear enough",
+            };
+            format!("({}) was not edited: {why}; choose an edit by hand", equation.id)
         }));
         let mut clear: Vec<(&Equation, &Repair)> =
             document.equations.iter().filter_map(|equation| Some((equation, clear(document, equation)?))).collect();
@@ -130,6 +136,10 @@ fn sentence(document: &Document, equation: &Equation, repair: &Repair) -> String
 
 /// The edit of an equation that is the only one, or clearly the likeliest.
 fn clear<'e>(document: &Document, equation: &'e Equation) -> Option<&'e Repair> {
+    // Of two displays that contradict each other, only the author knows which is wrong.
+    if equation.finding.code == Code::Contradiction {
+        return None;
+    }
     let display = |repair: &Repair| repair.shared.as_ref().map(|shared| shared.of.clone());
     // If the first edit is one of the equation itself, edits of other displays are doubts (see `doubt`).
     let is_own = equation.repairs.first().is_some_and(|first| first.shared.is_none());

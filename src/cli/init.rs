@@ -108,6 +108,7 @@ fn write(path: &Path, overwrite: bool, registry: &Registry) -> Result<String> {
         made.and_then(|mut file| file.write_all(draft.text.as_bytes())).map_err(failed)?;
     }
     let names = match draft.declared {
+        0 if notes.equations.is_empty() => "no display was found in the notes, so nothing was inferred".to_owned(),
         0 => "no name needs a declaration".to_owned(),
         1 => "1 name is declared, by a guess".to_owned(),
         n => format!("{n} names are declared, all by guesses"),

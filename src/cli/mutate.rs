@@ -35,7 +35,7 @@ pub struct Arguments {
     #[arg(long, default_value_t = 1, allow_negative_numbers = true, value_parser = values::seed)]
     seed: u64,
     /// The number of sampled states for each mutant
-    #[arg(long, default_value_t = 24, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, default_value_t = 24, allow_negative_numbers = true, value_parser = values::points)]
     points: u32,
     /// The form of the output
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -99,7 +99,8 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
             [] => match (only, without_claims.as_slice()) {
                 (_, [first, ..]) => Error::new(format!("{first} has no claims file, so nothing in it can be mutated"))
                     .help(format!("write one with: onshell init {first}")),
-                (Some(only), _) => Error::new(format!("there is no equation ({only}) to mutate")).help(known),
+                (Some(only), _) => Error::new(format!("there is no equation ({only}) to mutate"))
+                    .help(format!("{known}; only displays with a number or a label are mutated")),
                 (None, _) => Error::new("there is no equation to mutate").help(known),
             },
             all => Error::new(format!("no equation can be mutated: {} left out", counted(all.len())))

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::ValueEnum;
 
 use crate::Error;
+use crate::code::Code;
 use crate::report::{self, Style};
 
 /// The form of the output.
@@ -75,7 +76,9 @@ impl Outcome {
 /// Errors as diagnostics, and how to look up the code of the first.
 pub(super) fn shown(errors: &[Error], screen: Screen) -> String {
     let mut text: String = errors.iter().map(|error| report::diagnostic::error(error, screen.err) + "\n\n").collect();
-    if let Some(first) = errors.first() {
+    // Of a file or an argument that cannot be used, the message says all.
+    let says_more = |error: &&Error| !matches!(error.code(), Code::Input | Code::Json | Code::ClaimsFile);
+    if let Some(first) = errors.iter().find(says_more) {
         text.push_str(&report::text::code_hint(report::code::of_error(first), screen.err));
     }
     text

@@ -10,6 +10,15 @@ pub(super) fn seed(text: &str) -> Result<u64, String> {
     text.parse().map_err(|_| "the seed must be a whole number, 0 or larger".to_owned())
 }
 
+/// The number of sampled states.
+///
+/// # Errors
+/// For what is no whole number, or is too small or too large.
+pub(super) fn points(text: &str) -> Result<u32, String> {
+    let points = text.parse().ok().filter(|points| (1..=100_000).contains(points));
+    points.ok_or_else(|| "write a whole number from 1 to 100000, such as 24".to_owned())
+}
+
 /// A name and its value, from `NAME=VALUE`.
 ///
 /// # Errors

@@ -107,6 +107,11 @@ impl Binder<'_> {
                     (Shape::Vector, Shape::Vector) => {
                         Fault::shape(factor.span, message).help("multiply two vectors with \\cdot or \\times")
                     }
+                    // Columns that are written out are matrices, and \cdot is their product.
+                    (Shape::Matrix(a, 1), Shape::Matrix(b, 1)) if a == b => Fault::shape(factor.span, message)
+                        .help("for their scalar product write the first as a row: \\begin{pmatrix} a & b \\end{pmatrix}"),
+                    (Shape::Matrix(1, a), Shape::Matrix(1, b)) if a == b => Fault::shape(factor.span, message)
+                        .help("for their scalar product write the second as a column: \\begin{pmatrix} a \\\\ b \\end{pmatrix}"),
                     _ => Fault::shape(factor.span, message)
                         .help("the columns of the first must be as many as the rows of the second"),
                 }
@@ -184,7 +189,8 @@ impl Binder<'_> {
         let mut free = Vec::new();
         for row in rows {
             if row.len() != columns {
-                return Err(Fault::shape(span, "the rows of this matrix have different lengths"));
+                return Err(Fault::shape(span, "the rows of this matrix have different lengths")
+                    .help("write as many entries in each row"));
             }
             for entry in row {
                 free = union(&free, &self.scalar(entry, "an entry of a matrix")?);
@@ -213,7 +219,16 @@ impl Binder<'_> {
                         return Err(Fault::unsupported(span, "this power of a complex number has several values")
                             .help("write it with e^{…}"));
                     }
-                    _ => return Err(Fault::shape(span, format!("{} cannot have this power", found.shape.noun()))),
+                    _ => {
+                        let fault = Fault::shape(span, format!("{} cannot have this power", found.shape.noun()));
+                        return Err(match found.shape {
+                            Shape::Matrix(rows, columns) if rows == columns => {
+                                fault.help("a square matrix can have a whole number from 1 to 64 as its power, or -1")
+                            }
+                            Shape::Matrix(..) => fault.help("only a square matrix has powers"),
+                            _ => fault.help("write the power of a component, or the square of its norm"),
+                        });
+                    }
                 }
                 if found.free.iter().any(|letter| !self.is_label(*letter)) {
                     return Err(Fault::ambiguous(

@@ -234,7 +234,7 @@ impl Binder<'_> {
             | Node::Commutator(..)
             | Node::Complex(..)
             | Node::Cases(_) => self.operator(expr),
-            Node::Root(_, a) => self.scalar(a, "the radicand").map(|free| Type { free, ..scalar }),
+            Node::Root(_, a) => self.scalar(a, "what is under a root").map(|free| Type { free, ..scalar }),
             Node::Call(function, a) => self.call(*function, a, span),
             Node::Apply(id, arguments) if self.symbols.entry(*id).operator.is_some() => self.applied(*id, arguments),
             Node::Apply(_, arguments) => {
@@ -286,7 +286,8 @@ impl Binder<'_> {
             Node::SumOver { index, implied: true, body, .. } => self.summed_over(*index, body),
             Node::SumOver { index, body, except, .. } => {
                 if self.summed.contains(index) {
-                    return Err(Fault::index(span, "this index is already summed over"));
+                    return Err(Fault::index(span, "this index is already summed over")
+                        .help("use another index in the inner sum"));
                 }
                 // What bounds the sum is as free as what stands in it.
                 let bounds: Vec<Index> = except.iter().filter_map(|left_out| left_out.index()).collect();

@@ -317,11 +317,8 @@ fn one(
     }
     if let Some(extra) = of_source.free.iter().find(|letter| is_label(letter) && !free.contains(letter)) {
         let letter = &symbols.indices[extra.0].letter;
-        return Err(Fault::index(
-            span,
-            format!("{name} is not declared, and its definition depends on the index {letter}"),
-        )
-        .help(format!("give it the index {letter} too, or {}", declaration(&name.to_string(), 0))));
+        return Err(Fault::index(span, format!("the right side depends on the index {letter}, and {name} does not"))
+            .help(format!("sum over the index, \\sum_{{{letter}}}, or give {name} the index {letter} too")));
     }
     let components = |free: &[IndexId]| -> Vec<IndexId> { free.iter().copied().filter(|l| !is_label(l)).collect() };
     let (left, right) = (components(&free), components(&of_source.free));

@@ -366,7 +366,7 @@ fn compare_members(
             && !symbols.is_abstract()
             && (types[pair - 1].shape != Shape::Scalar || types[pair].shape != Shape::Scalar)
         {
-            let message = format!("“{}” needs a number on both sides", relation.glyph());
+            let message = format!("“{}” needs a real number on both sides", relation.glyph());
             return Err(Fault::shape(place, message));
         }
     }

@@ -142,7 +142,7 @@ fn refused(what: &str, condition: f64) -> Error {
             "the {what} is too ill-conditioned to be inverted (condition number {condition:.1e}, at most {MAX_CONDITION:.0e})"
         )
     } else {
-        format!("the {what} is singular (condition number ∞)")
+        format!("the {what} is singular (condition number ∞), so the accelerations have no value at this state")
     };
     let error = Error::new(message).help(
         "check that L depends on every velocity; \

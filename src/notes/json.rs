@@ -210,7 +210,19 @@ fn syntax(text: &str, start: usize, error: &serde_json::Error) -> Fault {
             invalid(span, "this string contains a line break or another control character")
                 .help("write the string on one line; its closing `\"` may be missing")
         }
-        _ => invalid(span, format!("this is not JSON: {message}")),
+        _ if text[offset..].starts_with("//") || text[offset..].starts_with("/*") => {
+            invalid(span, "this is not JSON: JSON has no comments")
+                .help("write the reason under \"because\", or remove the comment")
+        }
+        _ if text[offset..].starts_with('\'') => {
+            invalid(span, "this is not JSON: a string stands between double quotation marks")
+                .help("write \" in place of '")
+        }
+        _ if !text.trim_start().starts_with('{') => {
+            invalid(span, "this is not JSON, and no claims file").help("a claims file is JSON, and begins with {")
+        }
+        _ => invalid(span, format!("this is not JSON: {message}"))
+            .help("look for a missing comma, quotation mark or bracket before this place"),
     }
 }
 

@@ -164,11 +164,18 @@ fn displays(text: &str, structure: &Structure, found: &mut ScannedText) -> Resul
             }
             b'\\' if bytes[i..].starts_with(b"\\[") => {
                 match brackets_close.then(|| tex_scanner::find_unescaped(text, i + 2, b"\\]")).flatten() {
+                    // The bracket that closes may be that of a later display.
+                    Some(close) if starts_line(bytes, i) && opens_again(&text[i + 2..close]) => {
+                        if is_equation(text, i) || alone(bytes, i) {
+                            return Err(unclosed_bracket(i));
+                        }
+                        i + 2
+                    }
                     Some(close) => pair(text, i, close, found)?,
+                    None if starts_line(bytes, i) && is_equation(text, i) => return Err(unclosed_bracket(i)),
                     // In Markdown, `\[` is also how a mere bracket is written.
                     None if alone(bytes, i) => {
-                        return Err(Fault::notes(Span::new(i, i + 2), "this `\\[` is never closed")
-                            .help("add `\\]` after the equation"));
+                        return Err(unclosed_bracket(i));
                     }
                     None => {
                         brackets_close = false;
@@ -242,6 +249,21 @@ fn starts_line(bytes: &[u8], at: usize) -> bool {
 fn alone(bytes: &[u8], at: usize) -> bool {
     let mut before = bytes[..at].iter().rev().take_while(|&&b| b != b'\n');
     before.all(|&b| matches!(b, b' ' | b'\t' | b'>')) && tex_scanner::ends_line(bytes, at + 2)
+}
+
+/// Whether `\[` stands at the beginning of a line of the text.
+fn opens_again(text: &str) -> bool {
+    text.lines().skip(1).any(|line| line.trim_start().starts_with("\\["))
+}
+
+/// Whether the rest of a line after `\[` is an equation, and no remark in brackets.
+fn is_equation(text: &str, at: usize) -> bool {
+    let line = &text[at + 2..tex_scanner::line_end(text.as_bytes(), at)];
+    line.contains('=') && !line.contains(']')
+}
+
+fn unclosed_bracket(at: usize) -> Fault {
+    Fault::notes(Span::new(at, at + 2), "this `\\[` is never closed").help("add `\\]` after the equation")
 }
 
 fn unclosed(text: &str, at: usize, found: &ScannedText) -> Fault {

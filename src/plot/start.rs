@@ -35,7 +35,10 @@ impl Start {
             _ => 0.0,
         });
         let mut start = Start { q, v: v.collect(), parameters, end };
-        for (latex, value) in given {
+        for (at, (latex, value)) in given.iter().enumerate() {
+            if given[..at].iter().any(|(other, _)| plain(other) == plain(latex)) {
+                return Err(Error::new(format!("{} is set twice", plain(latex))).help("set it once"));
+            }
             let of =
                 |names: &[String], dots: u8| names.iter().position(|own| plain(&with_dots(own, dots)) == plain(latex));
             if let Some(i) = of(system.parameters(), 0) {
@@ -47,11 +50,15 @@ impl Start {
             } else {
                 let all: Vec<&str> =
                     system.coordinates().iter().chain(system.parameters()).map(String::as_str).collect();
-                return Err(Error::new(format!("{latex} is not a coordinate, rate or parameter of {}", system.name()))
-                    .help(format!(
-                        "its names are {}; a rate is written with a dot, as in '\\dot\\theta=0.5'",
-                        all.join(", ")
-                    )));
+                return Err(Error::new(format!(
+                    "{} is not a coordinate, rate or parameter of {}",
+                    plain(latex),
+                    system.name()
+                ))
+                .help(format!(
+                    "its names are {}; a rate is written with a dot, as in '\\dot\\theta=0.5'",
+                    all.join(", ")
+                )));
             }
         }
         Ok(start)

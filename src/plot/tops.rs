@@ -17,7 +17,8 @@ fn is_top(system: &System) -> Result<()> {
     let sound = system.coordinates().len() == 3 && system.has_orientation() && cyclic(turns) && cyclic(spins);
     match sound && !cyclic(tilt) {
         true => Ok(()),
-        false => Err(Error::new(format!("{} is not a symmetric top", system.name())).help("name heavy_top")),
+        false => Err(Error::new(format!("the system {} is not a symmetric top", system.name()))
+            .help("this picture is drawn for heavy_top")),
     }
 }
 

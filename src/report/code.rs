@@ -1,7 +1,7 @@
 //! The stable code of a finding and of an error, as reports print it and `onshell explain` looks it up.
 
 use crate::Error;
-use crate::check::{Equation, Finding};
+use crate::check::{Equation, Finding, Verdict};
 
 /// The code of what was found of an equation.
 pub fn of_finding(finding: &Finding) -> &'static str {
@@ -13,9 +13,12 @@ pub(super) fn of_item(item: &Equation) -> &'static str {
     of_finding(first_unexpected(item))
 }
 
-/// The finding that an equation which is not as expected is reported by: that of its first part that is not.
+/// The finding that an equation which is not as expected is reported by: that of its first part that is refuted, or else of its first
+/// part that is not as expected.
 pub(super) fn first_unexpected(item: &Equation) -> &Finding {
-    let own = item.parts.iter().find(|part| !part.ok && part.finding.follows_from.is_none());
+    let own = || item.parts.iter().filter(|part| !part.ok && part.finding.follows_from.is_none());
+    // What is refuted is said before what was not decided for that reason.
+    let own = own().find(|part| part.finding.verdict == Verdict::Refuted).or_else(|| own().next());
     own.map_or(&item.finding, |part| &part.finding)
 }
 

@@ -35,10 +35,11 @@ pub fn error(error: &Error, style: Style) -> String {
 pub(super) fn unexpected(document: &Document, item: &Equation, style: Style) -> String {
     let source = &document.source;
     let of_its_own = |part: &&Part| !part.ok && part.finding.follows_from.is_none();
-    let wrong = item.parts.iter().enumerate().filter(|(_, part)| of_its_own(part));
     let finding = code::first_unexpected(item);
+    let is_other = |part: &Part| !std::ptr::eq(&part.finding, finding);
+    let wrong = item.parts.iter().enumerate().filter(|(_, part)| of_its_own(part) && is_other(part));
     let mut notes = evidence(finding);
-    notes.extend(wrong.skip(1).map(|(at, part)| another(document, item, at, &part.finding, finding)));
+    notes.extend(wrong.map(|(at, part)| another(document, item, at, &part.finding, finding)));
     notes.extend(item.because.as_ref().map(|because| match finding.verdict.passes() {
         true => format!("the reason in the claims file: {because}"),
         false => format!("the claims file expects another verdict: {because}"),

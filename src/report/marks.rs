@@ -60,6 +60,7 @@ pub fn hint(marked: &Marked, line: &Line, hints: Hints) -> String {
     let mut text = "look at this line".to_owned();
     if hints.0 >= 2 {
         let kind = match (slip, correction(marked, line)) {
+            (None, _) if matches!(line.because, Because::Unit { .. }) => "the unit is wrong",
             (None, _) => "no single mistake explains it",
             (Some(slip), Some((is, _))) if slip.lost == Lost::Function && is.is_empty() => "a function is missing",
             (Some(slip), _) => kind(slip.lost),
@@ -69,7 +70,10 @@ pub fn hint(marked: &Marked, line: &Line, hints: Hints) -> String {
     if hints.0 >= 3 {
         if let Some((is, should)) = correction(marked, line) {
             text += &match (is.as_str(), should.as_str()) {
-                ("", should) => format!("; insert {should}"),
+                ("", should) => match corrected(marked, line) {
+                    Some(whole) => format!("; insert {should}, which makes it {whole}"),
+                    None => format!("; insert {should}"),
+                },
                 (is, "") => format!("; leave out {is}"),
                 (is, should) => format!("; write {should} in place of {is}"),
             };
@@ -90,6 +94,19 @@ pub fn correction(marked: &Marked, line: &Line) -> Option<(String, String)> {
     // A thin space parts the factor from what follows it, and is no part of the correction.
     let should = replacement.trim().trim_end_matches("\\,").trim();
     Some((marked.source.slice(slip.span).trim().to_owned(), should.to_owned()))
+}
+
+/// A wrong line with its correction.
+fn corrected(marked: &Marked, line: &Line) -> Option<String> {
+    let slip = line.slip.as_ref()?;
+    let replacement = slip.replacement.as_ref()?;
+    if !line.span.contains(slip.span) {
+        return None;
+    }
+    let text = &marked.source.text;
+    let (before, after) = (text.get(line.span.start..slip.span.start)?, text.get(slip.span.end..line.span.end)?);
+    let whole = format!("{before}{replacement}{after}");
+    Some(whole.trim_matches('$').split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
 /// The rows of a class, as texts under [`COLUMNS`].

@@ -60,16 +60,24 @@ pub fn repair(repair: &Repair, first: bool, source: &Source, style: Style) -> St
             format!("With this edit of ({of}), {} {hold}", listed(mends, "and"))
         }
         (Some(Shared { of, mends }), _) => match mends.as_slice() {
+            [one] if !is_adjective(repair.verdict) => {
+                format!("({one}) uses ({of}); with this edit of ({of}), ({one}) passes")
+            }
             [one] => format!("({one}) uses ({of}); with this edit of ({of}), it is {}", repair.verdict),
             _ => format!("{} use ({of}); with this edit of ({of}), all of them hold", listed(mends, "and")),
         },
         (None, true) => "Then this step passes, but a later step of the chain still fails".to_owned(),
-        (None, false) if repair.verdict == Verdict::Definition => "Then this equation passes".to_owned(),
         (None, false) if repair.verdict == Verdict::Assumed => "Then the dimensions fit".to_owned(),
+        (None, false) if !is_adjective(repair.verdict) => "Then this equation passes".to_owned(),
         (None, false) => format!("Then the equation is {}", repair.verdict),
     };
     let title = Level::HELP.secondary_title(titled("help", "", &format!("{asked} {change}? {then}"), style));
     Excerpt::of(source, repair.span).replaced(title, repair.span, &repair.replacement, style)
+}
+
+/// Whether the word of a verdict says what an equation is: "it is certified", and not "it is law".
+fn is_adjective(verdict: Verdict) -> bool {
+    !matches!(verdict, Verdict::Definition | Verdict::Law)
 }
 
 /// The terms that must change for an equation to hold, all at once, shown on their lines.

@@ -119,7 +119,11 @@ fn counted(document: &Document, style: Style) -> String {
     if document.is_guessed && !told.is_empty() {
         told = unaided_counts(&items(document).collect::<Vec<_>>());
     }
-    if told.is_empty() {
+    if told.is_empty() && document.unnumbered == 0 {
+        told.push(
+            "nothing to check: no displayed equation was found, and formulas in a sentence are not checked".to_owned(),
+        );
+    } else if told.is_empty() {
         told.push("nothing to check".to_owned());
     }
     let unnumbered = unnumbered(document).map(|line| format!("; {line}")).unwrap_or_default();

@@ -392,7 +392,7 @@ fn a_definite_integral_without_a_known_antiderivative_has_a_value_where_its_quad
     let run = check("oscillates", "$$ \\int_0^\\infty \\sin(x^2) dx = \\frac13 \\tag{1} $$\n", &numbers(json!({})));
     says(&run, &["(1) was not decided", "an integral could not be computed"]);
     let run = check("integral-region", "$$ \\int x^2 dx = \\frac13 \\tag{1} $$\n", &numbers(json!({})));
-    says(&run, &["declared continuum"]);
+    says(&run, &["an integral without limits has no value", "give both limits"]);
 }
 
 #[test]

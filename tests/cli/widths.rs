@@ -154,7 +154,7 @@ fn one_mistake_is_one_error_though_the_display_has_several_parts() {
 fn the_last_line_of_a_failing_run_says_how_to_look_up_a_code() {
     let desk = with_faults("code-hint");
     let last = |text: &str| text.lines().last().unwrap_or_default().to_owned();
-    for (arguments, code) in [(&["check", "faults.md"][..], 1), (&["check", "absent.md"], 2), (&["read", "a +"], 2)] {
+    for (arguments, code) in [(&["check", "faults.md"][..], 1), (&["read", "a +"], 2)] {
         let run = desk.onshell(arguments);
         assert_eq!(run.code, code, "{}{}", run.out, run.err);
         let said = if run.err.is_empty() { &run.out } else { &run.err };
@@ -165,6 +165,10 @@ fn the_last_line_of_a_failing_run_says_how_to_look_up_a_code() {
         let explained = desk.onshell(&["explain", word]);
         assert!(explained.code == 0 && explained.out.starts_with(word), "{}{}", explained.out, explained.err);
     }
+    // Of a file that is not there, the message says all.
+    let absent = desk.onshell(&["check", "absent.md"]);
+    assert!(absent.code == 2 && absent.err.contains("error[input]: "), "{}", absent.err);
+    assert!(!absent.err.contains("onshell explain"), "{}", absent.err);
     let sound = desk.onshell(&["check", "derivations", "--only", "6.74"]);
     assert!(sound.code == 0 && !sound.out.contains("onshell explain"), "{}", sound.out);
 }

@@ -341,18 +341,20 @@ impl Checker<'_> {
             self.hypothesis(&at_once(&format!("{time} = 0")), throughout, into)?;
             return self.hypothesis(&at_once(&text), throughout, into);
         }
+        let has_relation =
+            ["=", "<", ">", "\\n", "\\l", "\\g", "\\a", "\\s", "\\eq", "≠", "≤", "≥", "≪", "≫", "≈", "→", "\\t"];
+        let are_words = !has_relation.iter().any(|sign| latex.value.contains(sign));
         let statements = self.statements(latex).map_err(|error| {
             let names = self.claims.conditions.iter().map(|(name, _)| name.value.as_str());
             match suggest::nearest(&latex.value, names) {
                 Some(near) => error.help(format!("did you mean \"{near}\", which is under \"conditions\"?")),
+                None if are_words => self.no_hypothesis(latex),
                 None => error,
             }
         })?;
         for statement in statements {
             if statement.relations.is_empty() {
-                let message = format!("“{}” is not a hypothesis", latex.value);
-                return Err(Error::at(&self.claims.source, latex.span, message)
-                    .help("write a relation such as \\dot\\theta = 0, or a name that is under \"conditions\""));
+                return Err(self.no_hypothesis(latex));
             }
             let hypothesis = |link| Hypothesis::of(link, throughout).stated_at(&self.claims.source, latex.span);
             into.extend(self.links(&statement)?.into_iter().map(hypothesis));
@@ -419,6 +421,13 @@ impl Checker<'_> {
         let message = format!("({}) cannot be read: {}", address.value, fault.message);
         let unread = Some(Missing::Equation(address.value.clone()));
         Error::at(&self.claims.source, address.span, message).with_code(Code::DependsOnUnreadable).lacking(unread)
+    }
+
+    /// The error of a text that is neither a relation nor the name of a condition.
+    fn no_hypothesis(&self, latex: &Spanned<String>) -> Error {
+        let message = format!("“{}” is not a hypothesis", latex.value);
+        Error::at(&self.claims.source, latex.span, message)
+            .help("write a relation such as \\dot\\theta = 0, or a name that is under \"conditions\"")
     }
 
     fn no_equation(&self, address: &Spanned<String>) -> Error {

@@ -36,7 +36,17 @@ impl<'a> Checker<'a> {
                 let has_step = |at: &usize| place.step.is_none_or(|step| (1..=steps(at)).contains(&step));
                 let is_read = reading.statements.iter().all(std::result::Result::is_ok);
                 if is_read && (chosen.is_empty() || !chosen.iter().all(has_step)) {
-                    return Err(Error::at(&self.claims.source, address.span, "the display has no such part")
+                    let rows = reading.statements.iter().flatten().map(|statement| statement.row).max().unwrap_or(1);
+                    let counted = |count: usize, what: &str| match count {
+                        1 => format!("1 {what}"),
+                        count => format!("{count} {what}s"),
+                    };
+                    let message = format!(
+                        "the display has no such part: it has {} and {}",
+                        counted(rows, "row"),
+                        counted(reading.statements.len(), "part")
+                    );
+                    return Err(Error::at(&self.claims.source, address.span, message)
                         .help("rows, parts and steps count from 1; a step is one relation of a chain"));
                 }
                 for at in chosen {

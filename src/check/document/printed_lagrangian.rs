@@ -44,7 +44,9 @@ pub(crate) fn make((claims, notes): (&Claims, &Notes), readings: &[Reading], mod
         if let Some((at, fault)) = (0..readings.len()).filter(begins).find_map(fault) {
             let fault = fault.shifted(notes.equations[at].body.start);
             let message = format!("the Lagrangian {shown} could not be read: {}", fault.message);
-            return Err(Error::fault(&notes.source, Fault { message, ..fault }));
+            // What moves in a Lagrangian is a coordinate of it.
+            let help = fault.help.as_ref().map(|help| help.replace("\"varies with time\"", "\"coordinates\""));
+            return Err(Error::fault(&notes.source, Fault { message, help, ..fault }));
         }
         return Err(error(format!("no display that can be read defines {shown}, the Lagrangian")).help(format!(
             "write a display {shown} = …, with all its symbols declared; or name a system under \"system\""

@@ -194,7 +194,13 @@ pub(crate) fn corrected(claims: &Claims, printed: &str, errata: &[Erratum]) -> R
     for erratum in errata {
         let found = text.matches(&erratum.printed.value).count();
         if found != erratum.times {
-            let message = format!("“{}” occurs {found} times in this equation", erratum.printed.value);
+            if found == 0 {
+                let message = format!("“{}” does not occur in this equation", erratum.printed.value);
+                return Err(Error::at(&claims.source, erratum.printed.span, message)
+                    .help("quote it as the notes have it, with the same spaces and backslashes"));
+            }
+            let times = if found == 1 { "once".to_owned() } else { format!("{found} times") };
+            let message = format!("“{}” occurs {times} in this equation", erratum.printed.value);
             return Err(Error::at(&claims.source, erratum.printed.span, message)
                 .help("quote it as the notes have it, quote more of it, or give the number with \"times\""));
         }

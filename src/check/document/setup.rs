@@ -136,7 +136,10 @@ pub(crate) fn assign<'c>(claims: &'c Claims, notes: &Notes) -> Result<Vec<Option
         }
         for at in address.resolve(notes, &claims.source)? {
             if assigned[at].replace(claim).is_some() {
-                let message = "this equation has two claims";
+                let message = match notes.equations[at].id() {
+                    Some(id) => format!("({id}) has two claims"),
+                    None => "this equation has two claims".to_owned(),
+                };
                 return Err(Error::at(&claims.source, address.span, message)
                     .help("put all keys of the equation under one address"));
             }

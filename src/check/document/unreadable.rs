@@ -4,6 +4,7 @@
 //! the claims file too. So an unknown name is attributed to an unreadable display that contains it. If that display only
 //! lacks other names, it must have the name as one of its sides. What needs the name is unreadable; the rest is checked.
 
+use crate::code::Code;
 use crate::latex::{Reading, name_search};
 use crate::notes::Notes;
 use crate::source::{Fault, Missing};
@@ -36,7 +37,9 @@ impl<'a> UnreadableDisplays<'a> {
         }
         let lacks = |fault: &&Fault| matches!(&fault.missing, Some(Missing::Name(own)) if name_search::same(own, name));
         // What lacks only other names is misprinted in them: it has this one whole, if it introduces it.
-        let is_own = |fault: &&Fault| !matches!(&fault.missing, Some(Missing::Name(_)));
+        // So does what is typeset well, and only not supported: the d of an integral is no symbol.
+        let is_own =
+            |fault: &&Fault| !matches!(&fault.missing, Some(Missing::Name(_))) && fault.code != Code::NotSupported;
         let (display, _) = self.faults.iter().find(|(at, faults)| {
             let text = &self.notes.equations[*at].text;
             let has_it = if faults.iter().any(is_own) { name_search::mentions } else { name_search::is_a_side };

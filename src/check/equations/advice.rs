@@ -3,6 +3,7 @@
 use crate::Result;
 use crate::code::Code;
 use crate::formula::{Expr, Node, text};
+use crate::notes::claims::{Claim, Solved, Solves, Spanned};
 use crate::source::Span;
 use crate::suggest::in_json;
 
@@ -56,10 +57,13 @@ impl Checker<'_> {
         let symbol = plain().find(varies).or_else(|| plain().find(may_vanish)).or_else(|| plain().next());
         let name = symbol.map_or_else(|| "…".to_owned(), |symbol| self.model.name(*symbol));
         let small = self.entry(place, &format!("\"small\": {}", in_json(&name)));
-        let limit = format!("\"limit\": {}", in_json(&format!("{name}\\to\\infty")));
-        format!(
-            "≈ does not say when the two sides are nearly equal; write {small} in the claims file, or {limit} for a limit"
-        )
+        let message = format!("≈ does not say when the two sides are nearly equal; write {small} in the claims file");
+        // An angle tends to infinity in no limit that anybody means.
+        let may_grow = symbol.is_some_and(|symbol| !self.model.symbols.entry(*symbol).angle);
+        match may_grow {
+            true => format!("{message}, or \"limit\": {} for a limit", in_json(&format!("{name}\\to\\infty"))),
+            false => message,
+        }
     }
 
     /// The finding on an equation that fails, with a remark where a side is a declared name that nothing determines: it is
@@ -67,6 +71,9 @@ impl Checker<'_> {
     pub(crate) fn with_undetermined_name(&self, link: &Link, finding: Finding, context: &Context<'_>) -> Finding {
         if finding.code != Code::SidesDiffer || !context.options.explain || context.options.deduction {
             return finding;
+        }
+        if let Some(reason) = self.is_equation_for(link, context) {
+            return Finding { message: format!("{}; {reason}", finding.message), ..finding };
         }
         let stands_in = |id, formula: &Expr| formula.symbols().iter().any(|(known, _)| *known == id);
         let laws = self.model.laws.iter().flat_map(|law| &law.hypotheses);
@@ -81,7 +88,10 @@ impl Checker<'_> {
             _ => None,
         };
         let Some(id) = [(&link.lhs, &link.rhs), (&link.rhs, &link.lhs)].into_iter().find_map(undetermined) else {
-            return finding;
+            return match self.lacks_a_motion(link, context) {
+                Some(reason) => Finding { message: format!("{}; {reason}", finding.message), ..finding },
+                None => finding,
+            };
         };
         let name = text::plain(&self.model.name(id));
         let message = format!(
@@ -90,6 +100,45 @@ impl Checker<'_> {
             finding.message
         );
         Finding { message, ..finding }
+    }
+
+    /// That another display solves this one, which then is an equation for its unknown, and no identity.
+    fn is_equation_for(&self, link: &Link, context: &Context<'_>) -> Option<String> {
+        let display = self.notes.equations.iter().find(|display| display.body.contains(context.span))?;
+        let id = display.id()?;
+        let solves = |claim: &&&Claim| match &claim.solves {
+            Some(Solves { of: Solved::Equation(address), unknowns, .. }) => {
+                let own = |name: &Spanned<String>| self.symbol(name).ok();
+                let has = |symbol| [&link.lhs, &link.rhs].iter().any(|side| self.model.depends_on(side, &[symbol]));
+                address.text.trim_matches(['(', ')']) == id && unknowns.iter().filter_map(own).any(has)
+            }
+            _ => false,
+        };
+        let claims: Vec<&Claim> = self.claims.equations.iter().map(|(_, claim)| claim).collect();
+        let solver = claims.iter().find(solves)?;
+        let unknown = solver.solves.as_ref()?.unknowns.first()?;
+        let entry =
+            format!("\"expect\": \"refuted\", \"because\": {}", in_json(&format!("an equation for {}", unknown.value)));
+        Some(format!(
+            "another display solves this equation for {}, so it is no identity; write {} in the claims file",
+            text::plain(&unknown.value),
+            self.entry(context.span, &entry)
+        ))
+    }
+
+    /// That nothing determines the accelerations in an equation.
+    fn lacks_a_motion(&self, link: &Link, context: &Context<'_>) -> Option<String> {
+        if self.model.has_motion() || context.has_hypotheses() || !context.local.is_empty() {
+            return None;
+        }
+        let symbols = [&link.lhs, &link.rhs].map(|side| side.symbols()).concat();
+        let is_free = |id| matches!(self.model.meaning(id), Some(Meaning::Varying(_) | Meaning::Coordinate(_)));
+        let (id, dots) = symbols.into_iter().find(|(id, dots)| *dots > 1 && is_free(*id))?;
+        Some(format!(
+            "nothing determines {}; name a \"system\" or \"laws\", or say which name is the Lagrangian: \"means\": {{ \"L\": \
+             \"Lagrangian\" }}",
+            text::with_dots(&self.model.name(id), dots)
+        ))
     }
 
     /// A key with its value as a line to add to the claims file for the equation at a place.

@@ -34,7 +34,7 @@ pub(crate) enum FirstOrder {
     /// Nothing says that the motion is small.
     NotMeant,
     /// It holds, or it could not be decided.
-    Judged(Finding),
+    Judged(Box<Finding>),
     /// It is false to first order about these places.
     Fails(String),
 }
@@ -98,7 +98,7 @@ impl Checker<'_> {
         }
         Ok(match self.to_first_order(link, claim, context)? {
             FirstOrder::NotMeant => term_fit::fitted(link, context, found),
-            FirstOrder::Judged(judged) => judged,
+            FirstOrder::Judged(judged) => *judged,
             FirstOrder::Fails(places) => {
                 let message = format!("{}, also to first order about {places}", found.message);
                 Finding { message, difference: None, ..found }
@@ -112,14 +112,28 @@ impl Checker<'_> {
     /// When the system's mass matrix is singular.
     pub(crate) fn to_first_order(&self, link: &Link, claim: &Claim, context: &Context<'_>) -> Result<FirstOrder> {
         // A claim that says what is small is about ≈, and = says more.
-        if !claim.small.is_empty() || self.model.system.is_none() {
+        if !claim.small.is_empty() {
             return Ok(FirstOrder::NotMeant);
+        }
+        if self.model.system.is_none() {
+            let is_said = claim.assume.iter().any(|latex| self.is_small(&latex.value)) && !self.options.deduction;
+            let message = "small oscillations need a Lagrangian, and there is none; beside laws write ≈, and say with \"small\" \
+                           what is small";
+            return Ok(match is_said {
+                true => {
+                    FirstOrder::Judged(Box::new(context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message)))
+                }
+                false => FirstOrder::NotMeant,
+            });
         }
         let Some(said) = self.says_small(claim, context.span) else { return Ok(FirstOrder::NotMeant) };
         let open = |message: &str| match self.options.deduction {
             // Without a claims file, what is not decided is taken for granted.
             true => Ok(FirstOrder::NotMeant),
-            false => Ok(FirstOrder::Judged(context.finding(Code::NotDecided, Verdict::Undecided, message.to_owned()))),
+            false => {
+                let finding = context.finding(Code::NotDecided, Verdict::Undecided, message.to_owned());
+                Ok(FirstOrder::Judged(Box::new(finding)))
+            }
         };
         let Some(mut places) = self.places_of(&said) else {
             return open("this does not hold exactly, and it was not tried to first order about this place");
@@ -140,7 +154,7 @@ impl Checker<'_> {
         match small::of_motion(&close, &small, &rates, context) {
             Ok(linear) if linear.verdict.holds() => {
                 let message = format!("about {}, this {}", self.shown(&places), linear.message);
-                Ok(FirstOrder::Judged(Finding { message, ..linear }))
+                Ok(FirstOrder::Judged(Box::new(Finding { message, ..linear })))
             }
             // A place with a letter may also be one of a steady motion, under a condition that the claim need not contain.
             Ok(linear) if linear.code != Code::TooFewStates && (is_of_rest || !has_letters) => {

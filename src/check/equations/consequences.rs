@@ -2,6 +2,7 @@
 
 use crate::Error;
 use crate::code::Code;
+use crate::formula::{Expr, Node, text};
 use crate::latex::name_search;
 use crate::notes::claims::{Sentence, Test};
 use crate::source::{Missing, Span};
@@ -63,14 +64,28 @@ impl Checker<'_> {
                 Ok(Finding::new(Code::DependsOnUnreadable, Verdict::Unreadable, span, message))
             }
             // An error without a place concerns the states of this claim only.
-            None if error.place().is_none() => Ok(Finding::new(
-                Code::NotDecided,
-                Verdict::Undecided,
-                span,
-                format!("this cannot be checked: {}", error.message()),
-            )),
+            None if error.place().is_none() => {
+                let why = self.idle_coordinate().unwrap_or_else(|| error.message().to_owned());
+                let message = format!("this cannot be checked: {why}");
+                Ok(Finding::new(Code::NotDecided, Verdict::Undecided, span, message))
+            }
             None => Err(error),
         }
+    }
+
+    /// That a declared coordinate does not occur in the Lagrangian of the notes, which then gives it no acceleration.
+    fn idle_coordinate(&self) -> Option<String> {
+        let printed = self.model.printed_lagrangian.as_ref()?;
+        let (symbol, _) = self.model.symbols.find(&printed.lagrangian)?;
+        let lagrangian = Expr::new(Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, Span::default());
+        let idle = self.model.coordinates.iter().enumerate().find(|(at, coordinate)| {
+            let is_constrained = printed.constraints.iter().any(|(multiplier, _)| multiplier == at);
+            !is_constrained && !self.model.depends_on(&lagrangian, &[coordinate.symbol])
+        })?;
+        let (name, of) = (text::plain(&self.model.name(idle.1.symbol)), text::plain(&printed.lagrangian.to_string()));
+        Some(format!(
+            "the coordinate {name} does not occur in {of}, so nothing determines its motion; remove it from \"coordinates\""
+        ))
     }
 
     /// The equation, with failures withdrawn where a law cannot be read. A pass stays a pass, since a law can only make more

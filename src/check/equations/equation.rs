@@ -285,7 +285,8 @@ impl Checker<'_> {
         match &claim.limit {
             Some(limit) if !reading.statements.iter().flatten().any(approximates) => {
                 let message = "there is no ≈ in this equation, and \"limit\" needs one";
-                Err(Error::at(&self.claims.source, limit.span, message).help("write ≈, or remove \"limit\""))
+                Err(Error::at(&self.claims.source, limit.span, message)
+                    .help("write \\approx in the equation, or remove \"limit\""))
             }
             _ => Ok(()),
         }
@@ -357,6 +358,7 @@ impl Checker<'_> {
                 continue;
             }
             let mut link = self.link(&statement.members[at], *relation, &statement.members[at + 1])?;
+            let printed = link.clone();
             if let (true, Some(dropped), None) = (last, &claim.dropping, &claim.also_equals) {
                 let dropped = self.formula(dropped)?;
                 if contains(&dropped, &link.lhs) {
@@ -367,6 +369,10 @@ impl Checker<'_> {
                 link.rhs = with_dropped(&link.rhs, &dropped);
             }
             let finding = self.linked(statement, (at, *relation, *sign), &link, claim, &place)?;
+            let finding = match claim.dropping.is_some() && link.rhs != printed.rhs {
+                true => self.with_needless_terms(&printed, finding, &place)?,
+                false => finding,
+            };
             links.push(JudgedLink { at, finding, relation: *relation });
         }
         self.zeros(statement, &mut links, context)?;

@@ -8,6 +8,7 @@ use crate::formula::{Expr, Relation, Statement, SymbolId, text};
 use crate::latex::Reading;
 use crate::notes::claims::{Claims, Holds, Key, Property, Sentence, Sign, Spanned, Test};
 use crate::source::{Missing, Span};
+use crate::suggest::in_json;
 use crate::{Error, Result};
 
 use crate::check::document::checker::Checker;
@@ -119,6 +120,14 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
         }
         Test::Claim(latex) => {
             let statements = checker.statements(latex)?;
+            let claims_nothing = |s: &Statement| s.relations.is_empty() && s.constant.is_none();
+            if statements.iter().all(claims_nothing) {
+                let message = format!("\"claim\" needs a relation, and “{}” is a formula alone", latex.value);
+                return Err(Error::at(&checker.claims.source, latex.span, message).help(format!(
+                    "write an equation or an inequality; that it is constant is claimed by \"conserved\": {}",
+                    in_json(&latex.value)
+                )));
+            }
             let reading: Vec<String> = statements.iter().map(|s| text::statement(s, symbols)).collect();
             Ok((claim(checker, sentence, &statements, context)?, reading.join("; ")))
         }
@@ -251,7 +260,9 @@ fn of_one_sign(function: &Expr, property: &Property, context: &Context<'_>) -> R
         return Ok(None);
     }
     let link = Link { lhs: function.clone(), relation, rhs: Expr::integer(0, function.span), free: Vec::new() };
-    let found = identity::check(&link, &Context { on_shell: Some(false), ..*context })?;
+    let mut found = identity::check(&link, &Context { on_shell: Some(false), ..*context })?;
+    // Another formula that has this sign says nothing of the sentence.
+    found.forget_mutant();
     Ok((found.verdict == Verdict::Refuted).then_some(found))
 }
 
@@ -353,9 +364,9 @@ fn shapes(checker: &Checker<'_>, sentence: &Sentence, property: &Property) -> Re
             Err(Error::at(
                 &checker.claims.source,
                 sentence.quote.span,
-                "the variable that the function runs along is not named",
+                "this sentence does not say which variable its formula is a function of",
             )
-            .help("name the variable with \"against\""))
+            .help("name the variable with \"against\" beside \"of\", as in \"against\": \"x\""))
         })
     };
     Ok(match property {

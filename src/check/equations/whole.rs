@@ -5,7 +5,7 @@ use crate::check::hypotheses::rule::Rule;
 use crate::check::judge::identity;
 use crate::check::kinds::mechanics::{charge, equilibrium, generates, same_motion};
 use crate::check::kinds::{conserved, solves};
-use crate::check::model::claim::Hypothesis;
+use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
@@ -16,6 +16,7 @@ use crate::formula::tree::Sign;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
 use crate::latex::{DefinedSymbol, Reading};
 use crate::notes::claims::{Claim, Conserved, Equilibrium, Holds, Solved, Solves, Spanned};
+use crate::suggest::in_json;
 use crate::{Error, Result};
 
 impl Checker<'_> {
@@ -58,7 +59,14 @@ impl Checker<'_> {
             self.conserved(conserved, reading, &statements, &context, parts)?;
         }
         if let Some(other) = &claim.same_motion_as {
-            let finding = same_motion::check(printed, &self.formula(other)?, &context)?;
+            let lagrangian = self.formula(other).map_err(|error| match error.missing() {
+                Some(_) => error.help(format!(
+                    "for the Lagrangian of the notes, add \"means\": {{ {}: \"Lagrangian\" }} to the claims file",
+                    in_json(&other.value)
+                )),
+                _ => error,
+            })?;
+            let finding = same_motion::check(printed, &lagrangian, &context)?;
             parts.push(self.part(finding, format!("the same motion as {}", other.value)));
         }
         if !claim.symmetry.is_empty() {
@@ -135,7 +143,8 @@ impl Checker<'_> {
         let link = self.link(&other, Relation::Equal, &printed)?;
         let finding = match self.only_repeats(&link, &reading.introduced) {
             true => {
-                let message = "\"also equals\" only repeats the definition, so nothing is checked";
+                let message =
+                    "\"also equals\" only repeats the printed formula, so nothing is checked; give another form";
                 context.finding(Code::Circular, Verdict::Undecided, message)
             }
             false => {
@@ -144,7 +153,7 @@ impl Checker<'_> {
                     Verdict::Refuted => {
                         let would_hold = finding.mutant.clone().unwrap_or_default();
                         let message = format!(
-                            "the printed formula, on the left, differs from \"also equals\", on the right{would_hold}"
+                            "\"also equals\", on the left, differs from the printed formula, on the right{would_hold}"
                         );
                         Finding { message, ..finding }
                     }
@@ -246,15 +255,19 @@ impl Checker<'_> {
                 };
                 together.sort_unstable();
                 let known = judged.iter().find(|(known, _)| *known == together).map(|(_, finding)| finding.clone());
-                let finding = match coordinates(statement).is_empty() && claim.at.is_empty() {
-                    true => {
-                        let message = "this gives no coordinate a value; say under \"at\" where each coordinate is";
-                        context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message)
-                    }
-                    false => match known {
-                        Some(finding) => Finding { span: context.span, ..finding },
-                        None => equilibrium::check(claimed, &context)?,
-                    },
+                let is_nowhere = coordinates(statement).is_empty() && claim.at.is_empty();
+                let refused = if self.has_motion(statement, claimed) {
+                    Some(
+                        "a position of rest has no time derivatives in it, and this has; remove \"equilibrium\", or \
+                         state it of a display that gives each coordinate a value",
+                    )
+                } else {
+                    is_nowhere.then_some("this gives no coordinate a value; say under \"at\" where each coordinate is")
+                };
+                let finding = match (refused, known) {
+                    (Some(message), _) => context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message),
+                    (None, Some(finding)) => Finding { span: context.span, ..finding },
+                    (None, None) => equilibrium::check(claimed, &context)?,
                 };
                 judged.push((together, finding.clone()));
                 let is_worse = |known: &Finding| known.verdict.severity() < finding.verdict.severity();
@@ -265,6 +278,35 @@ impl Checker<'_> {
             parts.extend(worst.map(|finding| self.part(finding, text::statement(statement, &self.model.symbols))));
         }
         Ok(parts)
+    }
+
+    /// The finding on a link to which terms were added that are said to be dropped: that they are not, where the link holds as it is
+    /// printed.
+    ///
+    /// # Errors
+    /// When the system's mass matrix is singular.
+    pub(crate) fn with_needless_terms(
+        &self,
+        printed: &Link,
+        finding: Finding,
+        context: &Context<'_>,
+    ) -> Result<Finding> {
+        if finding.verdict != Verdict::Refuted || !identity::check(printed, &context.quick())?.verdict.holds() {
+            return Ok(finding);
+        }
+        let message = "the two sides are equal as they are printed, and differ with the terms of \"dropping\" on the right \
+                       side; remove \"dropping\"";
+        Ok(context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message))
+    }
+
+    /// Whether a statement contains derivatives of coordinates that a position of rest has not: an equation of motion is true along
+    /// every motion, and says of no place that the system stays there. In a steady motion cyclic coordinates may have a velocity.
+    fn has_motion(&self, statement: &Statement, claimed: Equilibrium) -> bool {
+        let least = if claimed == Equilibrium::Steady { 2 } else { 1 };
+        let is_moving = |id: SymbolId, dots: u8| {
+            dots >= least && self.model.coordinates.iter().any(|coordinate| coordinate.symbol == id)
+        };
+        statement.members.iter().any(|member| member.symbols().into_iter().any(|(id, dots)| is_moving(id, dots)))
     }
 
     /// Whether a member is the unknown that a claim solves for; the member beside it is then the solution.

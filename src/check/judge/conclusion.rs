@@ -6,14 +6,14 @@ use crate::formula::{Expr, Node, Relation, text};
 use crate::check::judge::at_states::AtStates;
 use crate::check::judge::mutants::{Mutant, mutants_of};
 use crate::check::model::Model;
-use crate::check::model::claim::{Law, Link};
+use crate::check::model::claim::{Hypothesis, Law, Link};
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::outcome::Outcome;
 use crate::check::sample::setting::FEWEST;
 use crate::check::sample::without_value;
-use crate::check::state::counterexample::counterexample;
+use crate::check::state::counterexample::{are_equal, counterexample};
 use crate::check::state::residual::{Failure, Point};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -99,7 +99,11 @@ fn has_quadrature(formula: &Expr, model: &Model) -> bool {
 fn refutation(link: &Link, failure: &Failure, context: &Context<'_>, on_shell: bool) -> (Code, String) {
     let entry = failure.entry.as_deref();
     let laws = Law::phrases(&context.model.laws);
-    let circumstances = match (on_shell, laws.is_empty(), context.has_hypotheses()) {
+    // What follows from the meaning of a name, or is a premise, is no hypothesis of the claim.
+    let is_stated = |known: &Hypothesis| known.stated.is_some() && !known.implied;
+    let has_hypotheses =
+        !context.options.deduction && (context.hypotheses.iter().any(is_stated) || !context.local.is_empty());
+    let circumstances = match (on_shell, laws.is_empty(), has_hypotheses) {
         (false, _, false) => String::new(),
         (false, _, true) => " under its hypotheses".to_owned(),
         (true, true, false) => " on shell".to_owned(),
@@ -116,7 +120,7 @@ fn refutation(link: &Link, failure: &Failure, context: &Context<'_>, on_shell: b
             false => format!("{left} {} {right}", link.relation.glyph()),
         };
         let way_out = match link.relation {
-            _ if failure.lhs != failure.rhs => "",
+            _ if failure.lhs != failure.rhs && !are_equal(link, failure) => "",
             Relation::Less => "; the two sides are equal there: write ≤, or exclude this state with \"assume\"",
             Relation::Greater => "; the two sides are equal there: write ≥, or exclude this state with \"assume\"",
             Relation::NotEqual => "; the two sides are equal there: exclude this state with \"assume\"",
@@ -126,9 +130,12 @@ fn refutation(link: &Link, failure: &Failure, context: &Context<'_>, on_shell: b
     }
     let message = match (on_shell && !laws.is_empty(), entry) {
         (true, entry) => {
-            let hypotheses = if context.has_hypotheses() { " under its hypotheses" } else { "" };
+            let hypotheses = if has_hypotheses { " under its hypotheses" } else { "" };
             let at = entry.map_or_else(String::new, |entry| format!(": the two sides differ at {entry}"));
             format!("this does not follow from {laws}{hypotheses}{at}")
+        }
+        (false, Some(part)) if circumstances.is_empty() && part.ends_with(" part") => {
+            format!("the two sides differ in the {part}")
         }
         (false, Some(entry)) if circumstances.is_empty() => format!("the two sides differ at {entry}"),
         (false, Some(entry)) => format!("the two sides differ{circumstances}, at {entry}"),

@@ -290,7 +290,7 @@ fn equality_that_holds(
         }
         let place = if on_shell { "on shell" } else { "under its hypotheses" };
         let message = format!(
-            "both sides are 0 {place}, so a wrong factor would not be noticed; state that each side is 0 instead"
+            "both sides are 0 {place}, so a wrong factor would not be noticed; to claim that each side is 0, add \"also equals\": \"0\""
         );
         return withheld(Code::SideAlwaysZero, message);
     }

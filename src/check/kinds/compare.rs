@@ -106,11 +106,17 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     let link = Link { lhs, relation: Relation::Equal, rhs, free: Vec::new() };
     let mut finding = identity::check(&link, &context).map_err(|error| (0, Fault::new(span, error.message())))?;
     if finding.code == Code::TooFewStates {
-        finding.message = format!(
+        let has_letters = [&link.lhs, &link.rhs].iter().any(|side| !side.symbols().is_empty());
+        finding.message = match has_letters {
+            false => "a formula has no real value: no denominator may be 0, and no root, power or logarithm be that of a negative \
+                      number; an odd root is written \\sqrt[3]{x}"
+                .to_owned(),
+            true => format!(
             "only {} of {} sampled states gave a real number; give the letters ranges in which both formulas have a \
              value, as --where 'x=0.1..3' does",
             finding.points, finding.tried
-        );
+        ),
+        };
     }
     Ok(Comparison { finding, readings, assumed })
 }
@@ -143,6 +149,17 @@ fn has(formula: &Expr, symbol: SymbolId) -> bool {
 /// The fault of a text that is an equation and not a formula: its two sides should be compared with each other.
 fn two_sides(text: &str, macros: &Macros) -> Option<Fault> {
     let reading = read_display(text, &mut Symbols::open(), macros);
+    // What cannot be read has its relation all the same.
+    if reading.statements.iter().any(Result::is_err)
+        && let [Some(at), None] = [text.find('='), text.split_once('=').and_then(|(_, rest)| rest.find('='))]
+        && text[..at].matches('{').count() == text[..at].matches('}').count()
+        && !text[..at].trim().is_empty()
+    {
+        let fault = Fault::new(Span::new(at, at + 1), "“=” makes this an equation, and a formula is needed");
+        let (left, right) = (text[..at].trim(), text[at + 1..].trim());
+        let advice = format!("give the two sides as two arguments: onshell equal '{left}' '{right}'");
+        return Some(fault.code(Code::NotSupported).help(advice));
+    }
     let statement = reading.statements.into_iter().flatten().find(|statement| !statement.relations.is_empty())?;
     let (relation, place) = statement.relations[0];
     let fault = Fault::new(place, format!("“{}” makes this an equation, and a formula is needed", relation.glyph()));

@@ -19,7 +19,7 @@ use crate::scalar::RunningError;
 use crate::check::judge::mutants::mutants_of;
 use crate::check::judge::other_branches;
 use crate::check::model::Model;
-use crate::check::model::claim::Link;
+use crate::check::model::claim::{Law, Link};
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
@@ -67,7 +67,10 @@ pub fn check(
     let name = text::plain(&context.model.name(symbol));
     let is_unused = users.is_empty() && by_law.is_empty();
     if is_unused && others.iter().map(|other| other.holding()).collect::<Result<Vec<_>>>()?.iter().all(Vec::is_empty) {
-        let message = format!("defines {name}; no other equation uses {name}, so this definition was not tested");
+        let message = format!(
+            "defines {name}; no other equation uses {name}, so this definition was not tested; use {name} in an equation, or put it \
+             under `define`"
+        );
         return Ok(context.finding(Code::DefinitionUnused, Verdict::Undecided, message).defining(&name));
     }
     if zero::is_always_zero(formula, context)? {
@@ -86,7 +89,18 @@ pub fn check(
     };
     match surviving.first() {
         _ if names.is_empty() => {
-            let message = format!("defines {name}; no passing equation uses {name}, so this definition was not tested");
+            let uses = |law: &&Law| {
+                let sides = law.hypotheses.iter().flat_map(|known| [&known.lhs, &known.rhs]);
+                sides.into_iter().any(|side| context.model.depends_on(side, &[symbol]))
+            };
+            let laws: Vec<Law> = context.model.laws.iter().filter(uses).cloned().collect();
+            let message = match laws.is_empty() {
+                true => format!("defines {name}; no passing equation uses {name}, so this definition was not tested"),
+                false => format!(
+                    "defines {name}; only {} uses {name}, and a law tests no definition; use {name} in an equation",
+                    Law::phrases(&laws)
+                ),
+            };
             Ok(context.finding(Code::DefinitionUsersFail, Verdict::Undecided, message).defining(&name))
         }
         Some((_, change)) => {

@@ -52,6 +52,15 @@ pub enum Towards {
 }
 
 impl Towards {
+    /// The limit as it is printed in messages.
+    fn in_words(&self) -> String {
+        match self {
+            Towards::Infinity => "∞".to_owned(),
+            Towards::MinusInfinity => "−∞".to_owned(),
+            Towards::Number(value) => format!("{value}"),
+        }
+    }
+
     /// The value at the k-th step towards the limit, where k need not be whole; a number is approached from above, if `side`
     /// is 1, and from below, if it is −1.
     pub fn step(self, k: f64, side: f64) -> f64 {
@@ -221,8 +230,9 @@ fn check_in(
                         Code::LimitNotReached,
                         Verdict::Refuted,
                         format!(
-                            "the two sides do not approach each other in the limit of {}",
-                            context.model.name(variable)
+                            "the two sides do not approach each other in the limit {} → {}",
+                            crate::formula::text::plain(&context.model.name(variable)),
+                            towards.in_words()
                         ),
                     )
                 });
@@ -246,8 +256,14 @@ fn check_in(
             |(steps, power)| matches!(steps.approach(&mutant.link, LAST), Ok(Approach::Power(other)) if other > power - 0.5),
         );
         if as_near {
+            let way_out = match towards {
+                Towards::Number(_) => {
+                    "this limit does not test it: write \"small\" in place of \"limit\", or widen the ranges"
+                }
+                _ => "widen the ranges",
+            };
             let message = format!(
-                "the sampled states do not distinguish this from the same claim with {}; widen the ranges",
+                "the sampled states do not distinguish this from the same claim with {}; {way_out}",
                 mutant.change
             );
             return Ok(context.finding(Code::MutantPasses, Verdict::Undecided, message));

@@ -5,7 +5,7 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Node, SymbolId, Value};
+use crate::formula::{Expr, Node, SymbolId, Value, text};
 use crate::scalar::{RunningError, Series};
 
 use crate::check::certificate::solutions::certify_solutions;
@@ -24,6 +24,9 @@ use crate::check::state::residual::{Failure, Point};
 use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::{Compared, Counterexample, Finding};
+
+/// The longest equation that a message prints, in characters.
+const LONGEST: usize = 60;
 
 /// The equality of a chain that `branches` are to solve for `unknown`. One that holds for every value of it, as that of a name with its
 /// formula, is solved by anything; of the others it is the first that the branches satisfy, or else the first that contains the unknown.
@@ -291,7 +294,12 @@ fn refuted(
     failure: &Failure,
     points: usize,
 ) -> Finding {
-    let message = "this does not satisfy the equation that it should solve";
+    let symbols = &context.model.symbols;
+    let equation = format!("{} = {}", text::formula(&target.lhs, symbols), text::formula(&target.rhs, symbols));
+    let message = match equation.chars().count() > LONGEST {
+        true => "this does not satisfy the equation that it should solve".to_owned(),
+        false => format!("this does not satisfy {equation}"),
+    };
     Finding {
         points: points + 1,
         max_residual: Some(failure.residual),

@@ -72,6 +72,13 @@ pub enum Because {
     AtSpeed(Name),
     /// It follows where the first has the value of the second, which the problem names.
     AtValue(Name, Name),
+    /// Its number is right, but its unit is that of another quantity.
+    Unit {
+        /// The unit of the quantity.
+        wanted: String,
+        /// The value that is printed, with its unit.
+        printed: String,
+    },
     /// What this predicate says.
     Said(String),
 }
@@ -82,6 +89,12 @@ impl fmt::Display for Because {
             Because::Follows => f.write_str("follows from the problem"),
             Because::AtSpeed(speed) => write!(f, "follows where the speed is {speed}"),
             Because::AtValue(of, value) => write!(f, "follows where {of} is {value}"),
+            Because::Unit { wanted, printed } => {
+                write!(
+                    f,
+                    "has the right number, but not the right unit: the left side is in {wanted}, and {printed} is printed"
+                )
+            }
             Because::Said(predicate) => f.write_str(predicate),
         }
     }

@@ -240,6 +240,10 @@ fn fits_with(
             let sides = [inserted(&pair[0], closed), inserted(&pair[1], closed)];
             let values = [number(checker, &sides[0]), number(checker, &sides[1])];
             if let [Some(value), Some(printed)] = values {
+                // Two formulas that are 0 agree whatever they say.
+                if value == 0.0 && printed == 0.0 && !pair[1].is_null() && !pair[0].is_null() {
+                    return false;
+                }
                 any = true;
                 let off = text.get(pair[1].span.range()).and_then(half_a_digit).unwrap_or(0.0);
                 let by_parts: f64 = pair.iter().map(|side| spread(checker, side, closed)).sum();

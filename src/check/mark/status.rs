@@ -88,7 +88,11 @@ fn of_finding(finding: Finding) -> Status {
         (_, code) if is_named(code) => Status::Given(Verdict::Definition, "defines a name"),
         (Verdict::Law, _) => Status::Given(Verdict::Law, "is a law that the problem gives"),
         (Verdict::Unreadable, UnitMismatch) | (Verdict::Refuted, _) => Status::False(Box::new(finding)),
-        (Verdict::Unreadable, Code::NeedsLimitOrSmall) => Status::Open(Verdict::Undecided, finding.message),
+        // The problem says of no line of a hand-in what is small there.
+        (Verdict::Unreadable, Code::NeedsLimitOrSmall) => Status::Open(
+            Verdict::Undecided,
+            "≈ stands here without printed decimals to compare; mark this line by hand".to_owned(),
+        ),
         (Verdict::Unreadable, _) => Status::Unread(finding.message),
         (
             Verdict::Undecided,

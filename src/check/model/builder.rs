@@ -6,7 +6,7 @@ use crate::formula::symbols::Name;
 use crate::formula::{Expr, Kind, SymbolId, text};
 use crate::latex::{names, read_formula};
 use crate::notes::claims::{Claims, Spanned};
-use crate::suggest::declaration;
+use crate::suggest::{declaration, in_json};
 use crate::{Error, Result};
 
 use crate::check::model::Model;
@@ -46,10 +46,16 @@ impl Builder<'_> {
             Some(_) => Err(self
                 .error(latex, format!("{} has a dot, which is not part of a name", latex.value))
                 .help("declare the symbol without the dot")),
-            None => Err(self.error(latex, format!("{} is not the name of a symbol", latex.value)).help(
-                "a name is a letter or a Greek letter, with accents, a subscript or primes: \\hat{e}_a, p_\\psi; write commas \
-                 between names: \"m, k\"",
-            )),
+            None => {
+                let error = self.error(latex, format!("{} is not the name of a symbol", latex.value));
+                let greek = format!("\\{}", latex.value.trim());
+                Err(error.help(match names::is_letter(&greek) {
+                    true => format!("did you mean {}?", in_json(&greek)),
+                    false => "a name is a letter or a Greek letter, with accents, a subscript or primes, as in \"\\\\hat{e}_a\" and \
+                              \"p_\\\\psi\"; write commas between names: \"m, k\""
+                        .to_owned(),
+                }))
+            }
         }
     }
 

@@ -273,7 +273,15 @@ impl Builder<'_> {
         }
         let found = MEANINGS.iter().find(|(word, _)| *word == meaning.value).map(|(_, quantity)| *quantity);
         let quantity = found.ok_or_else(|| {
-            let words: Vec<&str> = MEANINGS.iter().map(|(word, _)| *word).collect();
+            let of_place = SMALL_OSCILLATIONS.map(|word| format!("{word} about x = 0"));
+            let mut words: Vec<&str> = MEANINGS.iter().map(|(word, _)| *word).collect();
+            words.extend(of_place.iter().map(String::as_str));
+            words.extend(["normal frequency", "dissipation function", "inertia tensor of m_i at \\vec r_i"]);
+            let begins = words.iter().find(|word| !meaning.value.is_empty() && word.starts_with(meaning.value.trim()));
+            if let Some(word) = begins {
+                let error = self.error(meaning, format!("\"{}\" is not a known meaning", meaning.value));
+                return error.help(format!("did you mean {}?", in_json(word)));
+            }
             let error = self.error(meaning, format!("\"{}\" is not a known meaning", meaning.value));
             match suggest::nearest(&meaning.value, words.iter().copied()) {
                 Some(near) => error.help(format!("did you mean \"{near}\"?")),

@@ -289,6 +289,8 @@ impl Checker<'_> {
             // In a law that a rate is 0, another name or dot makes a stronger law, with which more equations hold.
             let names = |edit: &Edit| matches!(edit.slip, Slip::Dot | Slip::Symbol | Slip::Name);
             edits.retain(|edit| !names(edit) || !self.states_a_zero_rate(at));
+            // With a side that is 0 a law or a definition says something else, and much follows from it that nobody meant.
+            edits.retain(|edit| edit.replacement.trim() != "0");
             edits.retain(|edit| !has_branches(&edit.replacement) || has_branches(&display.text));
             edits.retain(|edit| !self.is_unreadable(at) || self.is_readable(at, &edit.applied(&display.text)));
             edits.sort_by_key(|edit| rank(&display.text, edit, false));

@@ -94,7 +94,10 @@ impl Checker<'_> {
             return Ok(equation);
         }
         if !self.is_tried(at) {
-            equation.finding.message.push_str("; no edits were tried, since many displays cannot be read");
+            // Said once, of the first of them.
+            if (0..at).all(|before| self.is_tried(before)) {
+                equation.finding.message.push_str("; no edits of unreadable displays were tried, since there are many");
+            }
             return Ok(equation);
         }
         let display = &self.notes.equations[at];
@@ -103,7 +106,9 @@ impl Checker<'_> {
         // No other display is suspected of a position of rest, and each trial of it samples states of its own.
         // Whether it is stable, no edit decides.
         if let Some(claimed) = &claim.equilibrium {
-            if matches!(claimed.value, Equilibrium::Stable | Equilibrium::Unstable) {
+            // Where the claim does not fit the display, an edit of the display is no way out.
+            let is_decided = equation.finding.verdict == Verdict::Refuted;
+            if !is_decided || matches!(claimed.value, Equilibrium::Stable | Equilibrium::Unstable) {
                 return Ok(equation);
             }
             equation.repairs = self.own_repairs(at, &equation, claim, Search::Nearest)?;

@@ -207,7 +207,12 @@ impl<'a> Context<'a> {
             }
             Unavailable::Operation(what) => (
                 Code::NotSupported,
-                format!("{what} cannot be evaluated; write its vectors and matrices out, or use a formula without it"),
+                match what.contains("integral") {
+                    true => format!("{what} cannot be evaluated; leave the equation out with \"skip\""),
+                    false => format!(
+                        "{what} cannot be evaluated; write its vectors and matrices out, or use a formula without it"
+                    ),
+                },
             ),
         };
         self.finding(code, Verdict::Unreadable, message)

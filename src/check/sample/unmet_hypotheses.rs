@@ -22,6 +22,16 @@ pub(crate) fn explanation(projection: &Projection<'_>) -> String {
     {
         return said;
     }
+    if let [(at, _)] = unmet.as_slice()
+        && hypotheses[*at].throughout
+        && projection.model.has_motion()
+    {
+        let what = shown(&hypotheses[*at], projection);
+        return format!(
+            "{what}: perhaps no motion of the system obeys it; if it holds at one instant, put it under \"assume\" in place of \
+             \"throughout\", or check the declared ranges"
+        );
+    }
     let is_unmet = |at: &usize| unmet.iter().any(|(known, _)| known == at);
     let named = |at: usize| shown(&hypotheses[at], projection);
     let failing: Vec<String> = unmet.iter().map(|(at, _)| named(*at)).collect();

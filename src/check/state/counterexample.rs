@@ -1,7 +1,7 @@
 //! Counterexamples as they are printed: the values of a claim's symbols at a state at which it fails. The state itself is
 //! chosen where all states are tested, in `crate::check::sample::outcome`: the one with the largest residual.
 
-use crate::formula::{Expr, Index, IndexId, Node, SymbolId, Value};
+use crate::formula::{Expr, Index, IndexId, Node, Relation, SymbolId, Value};
 use crate::latex::typeset;
 use crate::scalar::RunningError;
 
@@ -13,12 +13,22 @@ use crate::check::state::residual::Failure;
 use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::finding::{Compared, Counterexample};
 
+/// The relative distance below which the two sides of an inequality differ by their rounding only.
+const ROUNDED: f64 = 1e-14;
+
+/// Whether the two sides of a strict inequality, or of ≠, are equal where it fails, but for their rounding.
+pub(crate) fn are_equal(link: &Link, failure: &Failure) -> bool {
+    matches!(link.relation, Relation::Less | Relation::Greater | Relation::NotEqual)
+        && (failure.lhs - failure.rhs).abs() <= ROUNDED * failure.lhs.abs().max(failure.rhs.abs())
+}
+
 /// The counterexample of a failure at a state.
 pub fn counterexample(link: &Link, state: &SampledState<'_, RunningError>, failure: &Failure) -> Counterexample {
     Counterexample {
         state: values(&[&link.lhs, &link.rhs], state),
         lhs: failure.lhs,
-        rhs: failure.rhs,
+        // A difference that is rounding alone says of a > b that it holds.
+        rhs: if are_equal(link, failure) { failure.lhs } else { failure.rhs },
         entry: failure.entry.clone(),
         compared: Compared::Sides,
     }
@@ -127,6 +137,7 @@ pub fn values(formulas: &[&Expr], state: &SampledState<'_, RunningError>) -> Vec
                             let columns = matrix.ncols();
                             format!("{name}_{{{}{}}}", at / columns + 1, at % columns + 1)
                         }
+                        Value::Complex(_) => format!("{}({name})", ["Re", "Im"][at.min(1)]),
                         _ => format!("{name} {}", ["x", "y", "z"][at.min(2)]),
                     };
                     if found.len() < MOST_SHOWN && !found.iter().any(|(known, _)| *known == name) {

@@ -192,7 +192,7 @@ impl<B: Number> SampledState<'_, B> {
             let same = |(a, b): (&D, &D)| (a.re() - b.re()).abs() <= 1e-10 * scale;
             if !value.entries().iter().zip(&finer.entries()).all(same) {
                 return Err(Unavailable::Operation(
-                    "an integral over a solid whose integrand is not a polynomial of low degree",
+                    "an integral over a solid whose integrand is not a polynomial of the coordinates up to degree 5",
                 ));
             }
         }

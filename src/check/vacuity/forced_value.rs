@@ -7,7 +7,7 @@
 use crate::formula::{Expr, Index, Node, Relation, SymbolId, text};
 
 use crate::check::model::Model;
-use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::model::claim::{Hypothesis, Law, Link, is_equality};
 use crate::check::model::free_symbols::drawn;
 use crate::check::model::order::order;
 use crate::check::sample::context::Context;
@@ -51,6 +51,14 @@ pub(crate) fn of_formulas(formulas: &[&Expr], context: &Context<'_>, ensemble: &
 /// The message about a claim with such a symbol.
 pub(crate) fn message(symbol: SymbolId, context: &Context<'_>) -> String {
     let name = text::plain(&context.model.name(symbol));
+    let laws = &context.model.laws;
+    if laws.len() > 1 && context.hypotheses.is_empty() {
+        return format!(
+            "{} together leave {name} one value, and a test at one value shows too little; the laws may contradict each other: \
+             correct one of them",
+            Law::phrases(laws)
+        );
+    }
     format!(
         "the hypotheses together leave {name} one value, and a test at one value shows too little; remove a hypothesis, \
          or state the value directly"

@@ -185,7 +185,7 @@ pub(crate) fn equations_of<'n>(notes: impl Iterator<Item = &'n Notes>) -> String
         .map(|id| format!("({id})"))
         .collect();
     match ids.as_slice() {
-        [] => "no equation of the notes has a number or a label; a display without one is L and its line".to_owned(),
+        [] => "no display of the notes has a number or a label; give it one, as in \\tag{1}".to_owned(),
         all if all.len() <= MOST => format!("the notes have {}", all.join(", ")),
         [first, .., last] => format!("the notes have {} equations, from {first} to {last}", ids.len()),
         [only] => format!("the notes have {only}"),

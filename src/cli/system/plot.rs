@@ -2,6 +2,8 @@
 
 use clap::ValueEnum;
 
+use crate::formula::text;
+use crate::latex::names;
 use crate::plot::{self, Kind, Start};
 use crate::systems::Registry;
 use crate::{Error, Result};
@@ -57,7 +59,12 @@ pub(crate) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
 
 fn drawn(arguments: &Arguments, registry: &Registry) -> Result<String> {
     let system = Subject::of(&arguments.system, registry)?.system;
-    let setting = |pair: &String| values::setting(pair).map(|(name, value)| (name.to_owned(), value));
+    // `\dot\theta` and `\dot{\theta}` are one name.
+    let named = |name: &str| match names::parse(name) {
+        Some((parsed, dots)) => text::with_dots(&parsed.to_string(), dots),
+        None => name.to_owned(),
+    };
+    let setting = |pair: &String| values::setting(pair).map(|(name, value)| (named(name), value));
     let values = arguments.values.iter().map(setting).collect::<Result<Vec<_>>>()?;
     if !arguments.until.is_finite() || arguments.until <= 0.0 {
         return Err(Error::new("--until must be a number above 0").help("write --until 20"));

@@ -73,6 +73,17 @@ pub(super) fn unopened(token: &Token) -> Fault {
     Fault::new(token.span, format!("this {close} has no matching {open}")).help(format!("remove it, or add {open}"))
 }
 
+/// The fault of a parenthesis or bracket that the other one closes.
+pub(super) fn misclosed(open: Span, delimiter: Delimiter, token: &Token) -> Option<Fault> {
+    let (opened, wanted, closed) = match (delimiter, closing(token)?) {
+        (Delimiter::Round, Delimiter::Square) => ("(", ")", "]"),
+        (Delimiter::Square, Delimiter::Round) => ("[", "]", ")"),
+        _ => return None,
+    };
+    let message = format!("this {opened} is closed by {closed}");
+    Some(Fault::new(open.to(token.span), message).help(format!("write {wanted} in place of {closed}")))
+}
+
 /// The fault of something that is opened, and not closed.
 pub(super) fn unclosed(span: Span, open: &str) -> Fault {
     let close = match open {

@@ -8,7 +8,7 @@ use crate::source::{Fault, Span};
 
 use super::super::lexer::{Space, Token, TokenKind};
 use super::angles::{bars_before_angle, bra_length, is_lone_bar};
-use super::delimiters::{closing, glyph, is_plain_bar, unclosed, unopened, without_argument};
+use super::delimiters::{closing, glyph, is_plain_bar, misclosed, unclosed, unopened, without_argument};
 use super::item::{Delimiter, Item, Layout, has_equals, is_derivative_mark, letters, letters_and_spaces, prints_alone};
 use super::units;
 
@@ -283,10 +283,10 @@ impl<'a> Parser<'a> {
                 self.next();
                 Item { layout: Layout::Fence(delimiter, items), span: open.to(token.span) }
             }
-            _ => {
-                let glyph = glyph(delimiter);
-                self.unclosed(open, glyph, items)
-            }
+            other => match other.and_then(|token| misclosed(open, delimiter, token)) {
+                Some(fault) => of_fault(fault),
+                None => self.unclosed(open, glyph(delimiter), items),
+            },
         }
     }
 

@@ -161,8 +161,11 @@ fn call(name: &str, definition: &Macro, span: Span, pending: &mut Vec<Token>) ->
     for parameter in &definition.parameters {
         let n = values.len() + 1;
         let missing = || {
-            Fault::new(span, format!("{name} needs {count} arguments, and argument {n} is missing"))
-                .code(Code::UnknownCommand)
+            let message = match count {
+                1 => format!("{name} needs an argument"),
+                count => format!("{name} needs {count} arguments, and argument {n} is missing"),
+            };
+            Fault::new(span, message).code(Code::UnknownCommand).help("write each argument in braces, and close them")
         };
         values.extend(parameter.take(pending).ok_or_else(missing)?);
     }

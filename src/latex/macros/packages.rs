@@ -229,8 +229,11 @@ pub(super) fn expansion(
     let mut values = Vec::with_capacity(arguments);
     for n in 1..=arguments {
         let missing = || {
-            Fault::new(span, format!("{name} needs {arguments} arguments, and argument {n} is missing"))
-                .code(Code::UnknownCommand)
+            let message = match arguments {
+                1 => format!("{name} needs an argument"),
+                count => format!("{name} needs {count} arguments, and argument {n} is missing"),
+            };
+            Fault::new(span, message).code(Code::UnknownCommand).help("write each argument in braces, and close them")
         };
         values.push(argument(pending).ok_or_else(missing)?);
     }

@@ -1,6 +1,7 @@
 //! The division of a row into statements, item by item.
 
 use crate::formula::tree::Relation;
+use crate::formula::units::Unit;
 use crate::source::Fault;
 
 use super::super::layout::{Delimiter, Item, Layout};
@@ -247,9 +248,15 @@ impl<'a> Splitter<'a, '_> {
         if let Some(name) = self.current.as_mut().filter(|piece| piece.links.len() == 1 && !piece.has_sign())
             && !is_aside(items, at)
         {
-            name.fault.get_or_insert_with(|| {
-                Fault::unsupported(item.span, "these words qualify the formula before them, which is not supported")
-                    .help("write an equation, or a comma before words that only explain")
+            name.fault.get_or_insert_with(|| match &item.layout {
+                Layout::Text(word) if Unit::named(word).is_some() => {
+                    Fault::unsupported(item.span, "a unit after a letter or a formula is not supported")
+                        .help("remove the unit, or write it after a number")
+                }
+                _ => {
+                    Fault::unsupported(item.span, "these words qualify the formula before them, which is not supported")
+                        .help("write an equation, or a comma before words that only explain")
+                }
             });
         }
         self.end();

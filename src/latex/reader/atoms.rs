@@ -13,7 +13,7 @@ use super::super::overdots;
 use super::super::rows::relation;
 use super::algebra::evidence::is_matrix;
 use super::items::{contents, differential, is_number, joint, starts_differential, whole_number};
-use super::state::{Read, Reader, unknown_command};
+use super::state::{Read, Reader, unread};
 use super::structure::is_material;
 use super::values::Place;
 
@@ -164,12 +164,8 @@ impl Reader<'_> {
         let degree = match index.map(|index| whole_number(index).ok_or(index.span)) {
             None => 2,
             Some(Ok(degree)) if degree >= 2 => degree,
-            Some(Ok(_)) => {
-                return Err(Fault::new(span, "the index of a root must be a whole number from 2 up"));
-            }
-            Some(Err(span)) => {
-                return Err(Fault::new(span, "the index of a root must be a whole number from 2 up"));
-            }
+            Some(Ok(_)) => return Err(no_degree(span)),
+            Some(Err(span)) => return Err(no_degree(span)),
         };
         is_filled(radicand, "the root", span)?;
         Ok(Expr::new(Node::Root(degree, Box::new(self.item(radicand)?)), span))
@@ -284,7 +280,15 @@ impl Reader<'_> {
                 Err(Fault::unsupported(span, "states and mean values in angle brackets have no value here"))
             }
             Delimiter::RightOpen | Delimiter::LeftOpen => {
-                Err(Fault::unsupported(span, "an interval is not supported here").help("write 0 \\le x < 1"))
+                let is_interval = items.iter().any(|item| matches!(item.layout, Layout::Other(',' | ';')));
+                let (open, close) = if delimiter == Delimiter::RightOpen { ("[", ")") } else { ("(", "]") };
+                let right = if open == "[" { "]" } else { ")" };
+                Err(match is_interval {
+                    true => Fault::unsupported(span, "an interval is not supported here")
+                        .help("write its ends as relations, as in 0 \\le x < 1"),
+                    false => Fault::unsupported(span, format!("the bracket {open} is closed by {close}"))
+                        .help(format!("write {right} in place of {close}")),
+                })
             }
             Delimiter::Evaluation => {
                 Err(Fault::unsupported(span, "the bar of an evaluation needs its place, as in \\right|_{x=a}"))
@@ -376,10 +380,8 @@ impl Reader<'_> {
                     .map(|row| row.iter().map(|cell| self.cell(without_stop(cell), span)).collect())
                     .collect();
                 let rows = rows?;
-                match rows.iter().find(|row| row.len() != rows[0].len()) {
-                    Some(_) if !self.is_abstract() => {
-                        Err(Fault::shape(span, "the rows of this matrix have different lengths"))
-                    }
+                match rows.iter().position(|row| row.len() != rows[0].len()) {
+                    Some(at) if !self.is_abstract() => Err(ragged((rows[0].len(), at + 1, rows[at].len()), span)),
                     _ => Ok(Expr::new(Node::Matrix(rows), span)),
                 }
             }
@@ -466,33 +468,13 @@ fn are_entries(items: &[Item]) -> bool {
     entries.len() > 1 && entries.iter().all(|entry| is_entry(entry)) || (first..last).any(is_apart)
 }
 
-/// The fault of an item that is no formula by itself.
-fn unread(item: &Item, has_claims: bool) -> Fault {
-    let span = item.span;
-    match &item.layout {
-        Layout::Scripts { nucleus, sub, .. } => match (&nucleus.layout, sub) {
-            (Layout::Fault(fault), _) => fault.clone(),
-            (Layout::Command(name), _) => unknown_command(name, nucleus.span, has_claims),
-            (_, Some(sub)) => {
-                Fault::unsupported(sub.span, "a subscript is supported on a symbol, a vector or a 3×3 matrix only")
-            }
-            _ => Fault::unsupported(span, "a prime is supported on a symbol only"),
-        },
-        Layout::Command(name) => unknown_command(name, span, has_claims),
-        Layout::Style(name, _) | Layout::Accent(name, _) => {
-            Fault::unsupported(span, format!("{name} is not supported here"))
-        }
-        Layout::Text(word) if ["or", "oder", "ou"].contains(&word.as_str()) => {
-            Fault::unsupported(span, format!("“{word}” between formulas is not supported"))
-                .help("write each case as an equation of its own")
-        }
-        Layout::Text(_) => Fault::unsupported(span, "words inside of a formula are not supported here")
-            .help("write them outside of the formula"),
-        Layout::Other(',') => Fault::unsupported(span, "a comma is not supported here")
-            .help("write an equation for each value; write numbers as 1000 and 1.5"),
-        Layout::Other('.' | '…') => Fault::unsupported(span, "a point between formulas is not supported")
-            .help("write \\cdot for a product, and all terms in place of an ellipsis"),
-        Layout::Other(c) => Fault::unsupported(span, format!("“{c}” is not supported here")),
-        _ => Fault::unsupported(span, "this is not supported here"),
-    }
+fn no_degree(span: Span) -> Fault {
+    Fault::new(span, "the index of a root must be a whole number from 2 up").help("write the root as a power, x^{1/n}")
+}
+
+/// A matrix whose `row`-th row has another number of entries than the first one.
+fn ragged((first, row, other): (usize, usize, usize), span: Span) -> Fault {
+    let entries = |count: usize| if count == 1 { "1 entry".to_owned() } else { format!("{count} entries") };
+    let message = format!("row 1 of this matrix has {}, and row {row} has {}", entries(first), entries(other));
+    Fault::shape(span, message).help("separate the entries of a row by &, and the rows by \\\\")
 }

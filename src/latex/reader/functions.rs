@@ -77,7 +77,10 @@ impl Reader<'_> {
             *cursor += 1;
         }
         let Some(first) = items.get(*cursor) else {
-            return Err(Fault::new(head, format!("\\{} needs an argument", function.name())));
+            let name = function.name();
+            return Err(
+                Fault::new(head, format!("\\{name} needs an argument")).help(format!("write one, as in \\{name} x"))
+            );
         };
         let (argument, enclosed) = match &first.layout {
             Layout::Fence(..) | Layout::Group(_) => {

@@ -51,8 +51,8 @@ impl Reader<'_> {
                     ("a definite integral needs both of its limits", "write the lower limit under the integral sign")
                 }
                 false => (
-                    "only integrals over a declared continuum are supported",
-                    "write \\int_V … d^3r, with V under \"continua\" in the claims file",
+                    "an integral without limits has no value",
+                    "give both limits, as in \\int_0^x, or state the derivative of the result",
                 ),
             };
             return Err(Fault::unsupported(sign.span, message).help(help));
@@ -126,9 +126,12 @@ impl Reader<'_> {
 
     /// The limit of the rest of the term as a part of a continuum shrinks to a point.
     pub(super) fn shrinking(&mut self, limit: &Item, rest: &[Item]) -> Read<Expr> {
+        let is_open = self.symbols.open;
         let refused = || {
-            Fault::unsupported(limit.span, "only limits of a shrinking part of a continuum are supported")
-                .help("write \\lim_{V(\\vec r) \\to 0}, with V under \"continua\" in the claims file")
+            Fault::unsupported(limit.span, "the limit of a function is not supported").help(match is_open {
+                true => "compare the formulas without the limit",
+                false => "write ≈ in place of the limit, and say in the claims file where it holds: \"limit\": \"x \\\\to 0\"",
+            })
         };
         let Layout::Scripts { sub: Some(below), sup: None, .. } = &limit.layout else { return Err(refused()) };
         let below = contents(below);
@@ -138,7 +141,8 @@ impl Reader<'_> {
         if !zero {
             return Err(refused());
         }
-        let region = self.region(&below[..arrow], limit.span)?;
+        let region =
+            self.region(&below[..arrow], limit.span).map_err(|fault| Fault { span: fault.span, ..refused() })?;
         if rest.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
             return Err(Fault::new(limit.span, "no formula follows this limit"));
         }

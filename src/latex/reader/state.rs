@@ -5,7 +5,10 @@ use crate::formula::IndexId;
 use crate::formula::shape::{self, Shape};
 use crate::formula::symbols::Symbols;
 use crate::formula::tree::{Expr, Node, Sign};
+use crate::formula::units::Unit;
 use crate::source::{Fault, Span};
+
+use super::super::layout::{Item, Layout};
 
 /// The result of reading a part of a formula.
 pub(super) type Read<T> = Result<T, Fault>;
@@ -76,6 +79,32 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
                 false => "write an equation",
             })
         }
+        "\\AsciiMath" => Fault::unsupported(span, "this is AsciiMath, which is not read").help(
+            "write LaTeX, with [latexmath] before the block, or with the line “:stem: latexmath” at the top of the document",
+        ),
+        "\\TypstNotUnderstood" | "\\TypstEscape" | "\\TypstSign" => {
+            Fault::unsupported(span, "this is not understood as Typst").help("correct it, or write it in another way")
+        }
+        "\\TypstUnclosed" => Fault::new(span, "a parenthesis or a quotation mark of this formula is never closed")
+            .help("add what closes it"),
+        "\\TypstText" => Fault::unsupported(span, "words inside of a formula are not supported here")
+            .help("write words outside of the formula"),
+        _ if name.starts_with("\\Typst") => {
+            let word = name.trim_start_matches("\\Typst");
+            Fault::new(span, format!("“{word}” is no symbol or function of Typst that is read here"))
+                .code(Code::UnknownCommand)
+                .help("a name of several letters is written in quotation marks below a letter, as in x_\"name\"")
+        }
+        "\\over" => Fault::unsupported(span, "\\over needs braces around what it divides, and stands in them once")
+            .help("write {a \\over b}, or \\frac{a}{b}"),
+        "\\[" => Fault::new(span, "\\[ opens a display inside of another one")
+            .help("close the display before it with \\]"),
+        _ if WITHOUT_VALUE.contains(&name) => {
+            Fault::unsupported(span, format!("{name} has no value here")).help(match has_claims {
+                true => "write it out, or leave the equation out with \"skip\" in the claims file",
+                false => "write it out",
+            })
+        }
         "\\underbrace" | "\\overbrace" => {
             Fault::unsupported(span, "a formula as the label of a brace is not supported")
                 .help("write the label in \\text{…}, or remove the brace")
@@ -92,8 +121,92 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
     }
 }
 
+/// Functions and operators that are read for their structure only.
+const WITHOUT_VALUE: [&str; 14] = [
+    "\\binom", "\\dbinom", "\\tbinom", "\\max", "\\min", "\\sup", "\\inf", "\\arg", "\\gcd", "\\deg", "\\limsup",
+    "\\liminf", "\\lceil", "\\lfloor",
+];
+
+/// The advice to leave an equation out.
+fn left_out(has_claims: bool) -> &'static str {
+    match has_claims {
+        true => "leave the equation out with \"skip\" in the claims file",
+        false => "write the product out, as in 4 \\cdot 3 \\cdot 2",
+    }
+}
+
+/// A sign of Unicode as LaTeX.
+fn in_latex(c: char) -> Option<&'static str> {
+    Some(match c {
+        '²' => "^2 in place of it",
+        '³' => "^3 in place of it",
+        '¹' => "^1 in place of it",
+        '⁴' => "^4 in place of it",
+        '½' => "\\frac12",
+        '¼' => "\\frac14",
+        '¾' => "\\frac34",
+        '⅓' => "\\frac13",
+        '√' => "\\sqrt{x}, with braces around all that is under the root",
+        'µ' | 'μ' => "\\mu",
+        '\\' => "a command after the backslash, or remove it",
+        _ => return None,
+    })
+}
+
 /// Whether a command prints an arrow.
 fn is_arrow(name: &str) -> bool {
     let plain = name.trim_start_matches('\\').to_ascii_lowercase();
     plain.ends_with("arrow") || plain.ends_with("mapsto") || plain.contains("harpoon")
+}
+
+/// The fault of an item that is no formula by itself.
+pub(super) fn unread(item: &Item, has_claims: bool) -> Fault {
+    let span = item.span;
+    match &item.layout {
+        Layout::Scripts { nucleus, sub, .. } => match (&nucleus.layout, sub) {
+            (Layout::Fault(fault), _) => fault.clone(),
+            (Layout::Command(name), _) => unknown_command(name, nucleus.span, has_claims),
+            (_, Some(sub)) => {
+                Fault::unsupported(sub.span, "a subscript is supported on a symbol, a vector or a 3×3 matrix only")
+            }
+            _ => Fault::unsupported(span, "a prime is supported on a symbol only"),
+        },
+        Layout::Command(name) => unknown_command(name, span, has_claims),
+        Layout::Style(name, _) | Layout::Accent(name, _) => {
+            Fault::unsupported(span, format!("{name} must stand before one name"))
+                .help(format!("write it before each name, as in {name}{{F}} = m {name}{{a}}"))
+        }
+        Layout::Text(word) if ["or", "oder", "ou"].contains(&word.as_str()) => {
+            Fault::unsupported(span, format!("“{word}” between formulas is not supported"))
+                .help("write each case as an equation of its own")
+        }
+        Layout::Text(word) if Unit::named(word).is_some() => {
+            Fault::unsupported(span, "a unit after a letter or a formula is not supported").help(match has_claims {
+                true => "remove the unit, or say under \"units\" in the claims file which unit the symbol has",
+                false => "remove the unit, or write it after a number",
+            })
+        }
+        Layout::Text(word) => {
+            let message = format!("“{word}” is no unit, and words inside of a formula are not supported here");
+            Fault::unsupported(span, message).help("write words outside of the formula")
+        }
+        Layout::Space(_) => Fault::unsupported(span, "this superscript or subscript stands after a space, on nothing")
+            .help("remove the space, as in 25^\\circ"),
+        Layout::Other(',') => Fault::unsupported(span, "a comma is not supported here")
+            .help("write an equation for each value; write numbers as 1000 and 1.5"),
+        Layout::Other('.' | '…') => Fault::unsupported(span, "a point between formulas is not supported")
+            .help("write \\cdot for a product, and all terms in place of an ellipsis"),
+        Layout::Other('!') => Fault::unsupported(span, "a factorial is not supported").help(left_out(has_claims)),
+        Layout::Other(c) => {
+            let fault = Fault::unsupported(span, format!("“{c}” is not supported here"));
+            match in_latex(*c) {
+                Some(latex) => fault.help(format!("write {latex}")),
+                None if matches!(c, '=' | '<' | '>') => {
+                    fault.help("write a relation outside of all braces, parentheses and commands")
+                }
+                None => fault,
+            }
+        }
+        _ => Fault::unsupported(span, "this is not supported here"),
+    }
 }

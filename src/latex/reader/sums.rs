@@ -43,7 +43,8 @@ impl Reader<'_> {
         }
         for (at, over) in overs.iter().enumerate() {
             if self.summed.contains(&over.index) || overs[..at].iter().any(|before| before.index == over.index) {
-                return Err(Fault::index(sub.span, "this index is already summed over"));
+                return Err(Fault::index(sub.span, "this index is already summed over")
+                    .help("use another index in the inner sum"));
             }
         }
         if extent(rest).is_none() || rest.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
@@ -92,7 +93,10 @@ impl Reader<'_> {
                 && matches!(&is_in.layout, Layout::Command(name) if name == "\\in")
             {
                 let index = self.particle(subject)?;
-                let within = Some(self.region(region, is_in.span)?);
+                let within = Some(self.region(region, is_in.span).map_err(|fault| {
+                    Fault::unsupported(fault.span, "a sum over a set is not supported")
+                        .help("declare the index under \"indices\" in the claims file, and write \\sum_i")
+                })?);
                 overs.push(Over { index, except: Vec::new(), within, pair: None });
                 continue;
             }
@@ -217,7 +221,15 @@ impl Reader<'_> {
                 name.to_string()
             }
         };
-        Err(Fault::index(upper.span, format!("the index {} is declared to run from 1 to {declared}", entry.letter)))
+        let advice = match names::printed(upper, None) {
+            Some(found) => format!(
+                "write \\sum_{{{0}}} for all of these, or declare {0} as \"1..{1}\" under \"indices\", with {1} as an integer",
+                entry.letter, found.name
+            ),
+            None => format!("write \\sum_{{{}}} for all of these", entry.letter),
+        };
+        let message = format!("the index {} is declared to run from 1 to {declared}", entry.letter);
+        Err(Fault::index(upper.span, message).help(advice))
     }
 }
 

@@ -220,7 +220,7 @@ impl Reader<'_> {
         let is_symbol = matches!(base.node, Node::Symbol { .. } | Node::Apply(..));
         if self.symbols.open && is_symbol && are_indexed && (is_row || is_frame) {
             return Err(unclear(span, sup, "an index, a label or a power")
-                .help("write indices as a subscript; write a power as a product in parentheses, x^{(a \\cdot b)}"));
+                .help("write an index as a subscript; write a power as \\exp(b \\ln a), or declare the letters in a claims file"));
         }
         if self.symbols.open && whole_number(sup) == Some(5) && self.name_of(base).0 == "\\gamma" {
             return Err(Fault::ambiguous(span, "γ⁵ may be a matrix or a power")
@@ -344,7 +344,7 @@ fn is_unlikely_index(
     };
     match may_be_index {
         true => Err(unclear(span, sup, "an index, a label or a power").help(
-            "write indices and labels as a subscript; write a power as a product in parentheses, x^{(a \\cdot b)}",
+            "write an index or a label as a subscript; write a power as \\exp(b \\ln a), or with the exponent n",
         )),
         false => Ok(()),
     }

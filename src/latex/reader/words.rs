@@ -115,7 +115,7 @@ fn is_no_word(word: &str, span: Span, symbols: &Symbols) -> Read<()> {
     let function = FUNCTIONS.iter().find(|name| word.contains(**name));
     if let Some(name) = function.or(SHORT.iter().find(|name| word == **name)) {
         let help = match *name == "sqrt" || Function::named(name).is_some() {
-            true => format!("write \\{name} for the function; {apart}"),
+            true => format!("write {} for the function; {apart}", command_of(word, name)),
             false => apart.to_owned(),
         };
         if word.len() > name.len() + LONGEST_FACTORS {
@@ -140,10 +140,31 @@ fn is_no_word(word: &str, span: Span, symbols: &Symbols) -> Read<()> {
     // Without a declaration that anybody confirmed, KE is the kinetic energy.
     let is_energy = is_guessed && ENERGIES.contains(&word);
     if is_energy || open && (is_long || is_short_form || has_number || WORDS.contains(&word)) {
+        if names::is_letter(&format!("\\{word}")) {
+            return Err(Fault::ambiguous(span, format!("{word} may be the letter \\{word} or a product"))
+                .help(format!("write \\{word} for the letter; {apart}")));
+        }
         return Err(Fault::ambiguous(span, format!("{word} may be a name or a product"))
             .help(format!("a name of several letters is a letter with a subscript, such as E_{{kin}}; {apart}")));
     }
     Ok(())
+}
+
+/// The command of a function that is written as a word: `asin` is the inverse of the sine.
+fn command_of(word: &str, name: &str) -> String {
+    let inverse = word.strip_prefix("arc").or_else(|| word.strip_prefix('a')).filter(|rest| *rest == name);
+    match inverse {
+        Some(rest) if ["sin", "cos", "tan"].contains(&rest) => format!("\\arc{rest}"),
+        _ if name == "sqrt" => "\\sqrt{…}".to_owned(),
+        _ => format!("\\{name}"),
+    }
+}
+
+/// The advice for a number that stands after a symbol.
+pub(super) fn after_a_symbol(number: &Item) -> String {
+    let digits = typed(std::slice::from_ref(number));
+    let digits = digits.trim_matches(['{', '}', ' ']);
+    format!("write x_{digits}, x^{digits} or {digits}x; write \\cdot for the product of two numbers")
 }
 
 impl Reader<'_> {
@@ -167,7 +188,7 @@ impl Reader<'_> {
         let is_name = || names::printed(before, self.branch).is_some();
         if touches && is_number(item) && !is_factor && (is_name() || is_parenthesis(before)) {
             return Err(Fault::ambiguous(span, "a number after a symbol may be a subscript, a power or a factor")
-                .help("write x_2, x^2 or 2x"));
+                .help(after_a_symbol(item)));
         }
         if touches && is_uncertainty(before, item) {
             return Err(Fault::ambiguous(

@@ -301,7 +301,13 @@ fn exactly_when(fields: &Fields<'_>) -> Result<Vec<Vec<Text>>, Fault> {
 fn conserved(fields: &Fields<'_>) -> Result<Option<Spanned<Conserved>>, Fault> {
     match fields.get("conserved") {
         Some(json @ Json { value: Value::String(_), .. }) => {
-            Ok(Some(fields::text(json, "conserved")?.map(Conserved::Expression)))
+            let text = fields::text(json, "conserved")?;
+            if ["yes", "no", "true", "false"].contains(&text.value.trim()) {
+                let message = format!("“{}” is not a formula", text.value);
+                return Err(Fault::claims(text.span, message)
+                    .help("\"conserved\" is true, without quotation marks, or LaTeX for what is constant"));
+            }
+            Ok(Some(text.map(Conserved::Expression)))
         }
         Some(json) if !matches!(json.value, Value::Bool(_)) => Err(fields::wrong(json, "conserved", "true or LaTeX")),
         _ => Ok(fields.on("conserved")?.map(|span| Spanned::new(Conserved::This, span))),
@@ -318,7 +324,8 @@ fn equilibrium(fields: &Fields<'_>) -> Result<Option<Spanned<Equilibrium>>, Faul
             let text = fields::text(json, "equilibrium")?;
             let words =
                 [("stable", Equilibrium::Stable), ("unstable", Equilibrium::Unstable), ("steady", Equilibrium::Steady)];
-            Ok(Some(fields::word(&text, "equilibrium", &words)?))
+            let fault = |fault: Fault| fault.help("\"equilibrium\" is true, \"stable\", \"unstable\" or \"steady\"");
+            Ok(Some(fields::word(&text, "equilibrium", &words).map_err(fault)?))
         }
         Some(json) if !matches!(json.value, Value::Bool(_)) => {
             Err(fields::wrong(json, "equilibrium", "true, \"stable\", \"unstable\" or \"steady\""))

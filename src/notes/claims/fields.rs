@@ -109,7 +109,13 @@ impl<'a> Fields<'a> {
 }
 
 pub(super) fn wrong(json: &Json, name: &str, expected: &str) -> Fault {
-    Fault::claims(json.span, format!("\"{name}\" must be {expected}, not {}", json.value.kind()))
+    let fault = Fault::claims(json.span, format!("\"{name}\" must be {expected}, not {}", json.value.kind()));
+    match (name, expected) {
+        ("skip" | "because", _) => fault.help(format!("write the reason, as in \"{name}\": \"a picture shows it\"")),
+        (_, "a string") => fault.help(format!("write it in quotation marks, as in \"{name}\": \"…\"")),
+        (_, "a number") => fault.help(format!("write digits, as in \"{name}\": 2")),
+        _ => fault,
+    }
 }
 
 /// A value of a key that holds names, for the help of an error.

@@ -73,8 +73,37 @@ pub enum Count {
     Symbol(String),
 }
 
-const RANGES: &str = "a range is \"> 0\", \"< 0\", \"any\", \"angle\", an interval such as \"(0, \\\\pi)\" or \
-                      \"[0.2, 2.9]\", or \"integer 2..5\"";
+const RANGES: &str = "a range is \"> 0\", \"< 0\", \"any\", \"nonzero\", \"angle\", an interval such as \"(0, \\\\pi)\" or \
+                      \"[0.2, 2.9]\", \"integer 2..5\", \"multiplier\", \"complex\", \"imaginary unit\", or \"3x3 matrix\"";
+
+/// The ranges that are words.
+const WORDS: [&str; 6] = ["any", "angle", "nonzero", "multiplier", "complex", "imaginary unit"];
+
+/// What was probably meant by a text that is no range: advice.
+fn meant(text: &str) -> Option<String> {
+    let squeezed: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    let is_size = |part: &str| !part.is_empty() && part.chars().all(|c| c.is_ascii_digit());
+    let is_at_least = |sign: &str| squeezed.strip_prefix(sign).is_some_and(|end| end.parse::<f64>().is_ok());
+    let word = |word: &&&str| text.starts_with(**word) || text.ends_with(**word);
+    match squeezed.as_str() {
+        "integer" | "integers" => Some("an integer needs its ends: write \"integer 1..5\"".to_owned()),
+        _ if squeezed.split_once(['x', '×']).is_some_and(|(rows, columns)| is_size(rows) && is_size(columns)) => {
+            Some(format!("for a matrix write \"{squeezed} matrix\""))
+        }
+        _ if [">=", "≥", "\\ge", "\\geq"].iter().any(|sign| is_at_least(sign)) => {
+            Some("write \"> 0\", or \"[0, \\\\infty)\" if the end belongs to the range".to_owned())
+        }
+        _ if ["<=", "≤", "\\le", "\\leq"].iter().any(|sign| is_at_least(sign)) => {
+            Some("write \"< 0\", or \"(-\\\\infty, 0]\" if the end belongs to the range".to_owned())
+        }
+        _ => WORDS
+            .iter()
+            .find(word)
+            .filter(|word| **word != text)
+            .map(|word| format!("did you mean \"{word}\"? {RANGES}")),
+    }
+}
+
 /// Kinds of quantities that authors write where a range belongs.
 const QUANTITIES: [&str; 20] = [
     "distance",
@@ -130,7 +159,10 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
                     );
                     return Err(fault.help(help));
                 }
-                return Err(match nearest(text, ["any", "angle", "integer"]) {
+                if let Some(help) = meant(text) {
+                    return Err(fault.help(help));
+                }
+                return Err(match nearest(text, WORDS) {
                     Some(word) => fault.help(format!("did you mean \"{word}\"? {RANGES}")),
                     None => fault.help(RANGES),
                 });
@@ -142,6 +174,9 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
 
 /// Whether a text is a formula, and no words: it has no letters side by side, but for commands.
 pub(super) fn is_formula(text: &str) -> bool {
+    if meant(text).is_some() {
+        return false;
+    }
     let mut rest = text;
     let (mut run, mut is_written) = (0, false);
     while let Some(c) = rest.chars().next() {
@@ -256,7 +291,9 @@ pub(super) fn between(written: &Spanned<String>, name: &str) -> Option<(Spanned<
         return Some((Spanned::new(Range::Any, written.span), vec![condition]));
     }
     // `> a` has one end, and is the interval from it.
-    let one_end = |sign: char| text.strip_prefix(sign).map(str::trim).filter(|end| endpoint(end).is_err());
+    let one_end = |sign: char| {
+        text.strip_prefix(sign).filter(|_| meant(text).is_none()).map(str::trim).filter(|end| endpoint(end).is_err())
+    };
     let one_ended = one_end('>').map(|end| format!("({end}, \\infty)"));
     let one_ended = one_ended.or_else(|| one_end('<').map(|end| format!("(-\\infty, {end})")));
     let text = one_ended.as_deref().unwrap_or(text);

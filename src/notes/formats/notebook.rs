@@ -25,7 +25,12 @@ fn view(file: &Arc<Source>, _: &Path) -> Result<View> {
         while !file.text.is_char_boundary(at) {
             at -= 1;
         }
-        let fault = Fault::notes(Span::at(at), format!("this is not a notebook: {error}")).code(Code::Json);
+        let why = match error.is_eof() {
+            true => "the file ends in the middle of a value".to_owned(),
+            false => error.to_string().split(" at line ").next().unwrap_or_default().to_owned(),
+        };
+        let at = if error.is_eof() { file.text.trim_end().len() } else { at };
+        let fault = Fault::notes(Span::at(at), format!("this is not a notebook: {why}")).code(Code::Json);
         Error::fault(file, fault.help("a notebook is JSON with a list of `cells`"))
     };
     let place = |raw: &RawValue| raw.get().as_ptr() as usize - file.text.as_ptr() as usize;

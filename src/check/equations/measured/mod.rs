@@ -47,6 +47,9 @@ const PUT_IN: f64 = 0.01;
 /// A number of at least so many times its last digit has three digits.
 const THREE_DIGITS: f64 = 100.0;
 
+/// The relative distance from which on a conversion of units is wrong: tables round, and authors say that a year has 3·10⁷ s.
+const MISCONVERTED: f64 = 0.25;
+
 /// The relative distance of two numbers that are the same double.
 const EQUAL: f64 = 1e-12;
 
@@ -131,7 +134,7 @@ impl Checker<'_> {
             }
             None => {
                 let message = format!(
-                    "the numbers for {shown} were not checked: the notes give no values of its letters that fit"
+                    "the numbers for {shown} were not checked: the notes do not give all of its letters a value"
                 );
                 context.finding(Code::Assumed, Verdict::Assumed, message)
             }
@@ -196,6 +199,24 @@ pub(crate) fn compared(left: &Expr, right: &Expr, is_approximate: bool, context:
         Verdict::Refuted => Comparison::Differ,
         _ => Comparison::Open,
     }
+}
+
+/// The value of a formula of numbers and units in the unit of a printed value, and that value, for messages; `None` if their units
+/// differ.
+pub(crate) fn in_words(formula: &Expr, printed: &Expr, context: &Context<'_>) -> Option<(String, String)> {
+    let value = quantity(formula).ok()?;
+    quantity(printed).ok().filter(|other| other.dimension == value.dimension)?;
+    let shown = text::formula(printed, &context.model.symbols);
+    let computed = match Printed::of(printed) {
+        Some(unit) => in_unit(value.value, &unit, context),
+        None => in_si(&value),
+    };
+    Some((computed, shown))
+}
+
+/// Whether a number is exactly one of a unit, as in `1\,\text{h} = 3600\,\text{s}`.
+fn is_one_unit(side: &Expr) -> bool {
+    Printed::of(side).is_some_and(|printed| printed.digits == "1" && !printed.rest.is_empty())
 }
 
 /// Whether two numbers are the same.
@@ -276,7 +297,11 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
             _ => undecided(context, "a power of ten may be a rough order of magnitude"),
         };
     }
-    let is_apart = a.range.low - slack > b.range.high || b.range.low - slack > a.range.high;
+    // One of a unit is exact: a conversion that is off by more than a rough value is wrong.
+    let is_conversion = printed.iter().all(Option::is_some) && [left, right].into_iter().any(is_one_unit);
+    let is_apart = a.range.low - slack > b.range.high
+        || b.range.low - slack > a.range.high
+        || is_conversion && !is_approximate && off > MISCONVERTED * size;
     if is_apart && let Some(reason) = by_custom([left, right], [a, b]) {
         return undecided(context, reason);
     }
@@ -298,7 +323,10 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
         }
         false => undecided(
             context,
-            format!("the numbers give {computed}; the printed value agrees only within their rounding"),
+            format!(
+                "the numbers give {computed}, and {} is printed; the numbers have too few digits to call this wrong",
+                text::formula(if printed[1].is_some() { right } else { left }, &context.model.symbols)
+            ),
         ),
     }
 }

@@ -38,10 +38,12 @@ pub(crate) fn check(charge: &Expr, change: &[(SymbolId, Expr)], context: &Contex
     link.lhs.span = charge.span;
     let found = identity::check(&link, &Context { on_shell: Some(false), ..*context })?;
     let message = match found.verdict {
-        verdict if verdict.holds() => "is the charge of this symmetry by Noether's theorem, and so constant on shell",
+        verdict if verdict.holds() => {
+            "this is the charge of this symmetry by Noether's theorem, and so constant on shell"
+        }
         Verdict::Refuted => {
-            "is not the charge of this change of the coordinates: its rate is not Σ (d/dt ∂L/∂q̇ − ∂L/∂q) δq; below, the left side \
-             is the rate"
+            "this is not Noether's charge of the change of the coordinates: its rate, below on the left side, is not Σ (d/dt ∂L/∂q̇ − \
+             ∂L/∂q) δq; either L does not have this symmetry, or the charge is another one"
         }
         _ => return Ok(found),
     };

@@ -50,8 +50,8 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
         verdict if verdict.holds() && pencil.is_massless(context)? => return Ok(unsupported(context)),
         verdict if verdict.holds() => {}
         Verdict::Refuted => {
-            let message =
-                "is not a normal frequency: det(K − ω²M) is not 0 there; below, the left side is this determinant";
+            let message = "this is not a normal frequency: below, the left side is det(K − ω²M), which is not 0 there; K and M are the second \
+                 derivatives of −L by the coordinates and of L by the velocities";
             return Ok(Finding { message: message.to_owned(), ..found });
         }
         _ => return Ok(found),
@@ -123,8 +123,11 @@ pub(crate) fn secular_equation(link: &Link, omega: SymbolId, context: &Context<'
     }
     let message = match found.verdict {
         verdict if verdict.holds() && pencil.is_massless(context)? => return Ok(unsupported(context)),
-        verdict if verdict.holds() => "is the secular equation det(K − ω²M) = 0, up to a factor",
-        Verdict::Refuted => "is not the secular equation: its sides do not differ by a multiple of det(K − ω²M)",
+        verdict if verdict.holds() => "this is the secular equation det(K − ω²M) = 0, up to a factor",
+        Verdict::Refuted => {
+            "this is not the secular equation: its sides do not differ by a multiple of det(K − ω²M), where K and M are the second \
+             derivatives of −L by the coordinates and of L by the velocities"
+        }
         _ => return Ok(found),
     };
     Ok(Finding { message: message.to_owned(), counterexample: None, ..found })

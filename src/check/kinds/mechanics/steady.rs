@@ -105,7 +105,8 @@ pub(crate) fn check(square: &Expr, what: &str, place: &[Hypothesis], context: &C
         verdict if verdict.holds() => Finding { message: known, ..found },
         Verdict::Refuted => Finding {
             message: format!(
-                "this is not the {what} of small oscillations, of which the sides below are the squared frequencies"
+                "this is not the {what} of small oscillations; below, the sides are the squares of the printed and of the derived \
+                 frequency"
             ),
             ..found
         },

@@ -56,7 +56,10 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
     for (id, dots) in formulas.iter().flat_map(|formula| formula.symbols()) {
         if dots > 0 || matches!(model.meaning(id), Some(Meaning::System(quantity)) if !is_momentum(*quantity)) {
             let shown = crate::formula::text::with_dots(&model.name(id), dots);
-            let message = format!("{shown} depends on other quantities, and must be independent here; write it out");
+            let message = format!(
+                "the motion determines {shown}, and such a claim needs a formula in declared symbols without derivatives; name \
+                 such a formula"
+            );
             return context.finding(Code::NotIndependent, Verdict::Unreadable, message);
         }
         if !atoms.contains(&id) {

@@ -227,13 +227,22 @@ impl Probe<'_> {
                     return fails(value.value, "the function is positive at this state");
                 }
                 Shape::Rises if slope_sign < 0.0 && is_certain(x, true, slope_sign) => {
-                    return fails(slope.value, "the function falls at this state");
+                    return fails(
+                        slope.value,
+                        "the function falls at this state: below, its derivative is compared with 0",
+                    );
                 }
                 Shape::Falls if slope_sign > 0.0 && is_certain(x, true, slope_sign) => {
-                    return fails(slope.value, "the function rises at this state");
+                    return fails(
+                        slope.value,
+                        "the function rises at this state: below, its derivative is compared with 0",
+                    );
                 }
                 Shape::Independent if slope_sign != 0.0 && is_certain(x, true, slope_sign) => {
-                    return fails(slope.value, "the function changes at this state");
+                    return fails(
+                        slope.value,
+                        "the function changes at this state: below, its derivative is compared with 0",
+                    );
                 }
                 Shape::Independent if has_changed(first, value) => {
                     let what = "the function has another value at this state".to_owned();

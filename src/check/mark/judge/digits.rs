@@ -135,8 +135,9 @@ pub(super) fn data(checker: &Checker<'_>, world: &World<'_>) -> Known {
     };
     let numbers: Vec<Reading> = stated.filter(|reading| number(reading).is_some()).collect();
     let stated: Vec<&Reading> = numbers.iter().filter(|reading| gives(reading).is_some()).collect();
-    let own: Vec<&Reading> =
-        checker.readings[world.first..].iter().filter(|reading| gives(reading).is_some()).collect();
+    // A later line that something is 0 is a condition of its own, and proves nothing of the lines before it.
+    let is_datum = |reading: &&Reading| gives(reading).is_some_and(|(_, value)| !value.is_null());
+    let own: Vec<&Reading> = checker.readings[world.first..].iter().filter(is_datum).collect();
     let is_single = |reading: &&&Reading| {
         let found = gives(reading);
         own.iter()

@@ -2,7 +2,8 @@
 //! it, is left open, or is wrong.
 
 use crate::Result;
-use crate::formula::{Expr, Statement, SymbolId};
+use crate::formula::units::Unit;
+use crate::formula::{Expr, Node, Statement, SymbolId};
 use crate::latex::Reading;
 use crate::notes::claims::{Claim, Spanned};
 
@@ -164,18 +165,23 @@ impl Judge<'_, '_> {
             let name = implied.name(self.quiet);
             let because = match self.open.contains(&implied.symbol()) {
                 true => format!("defines {name}, which the problem leaves open"),
+                false if Unit::named(&name).is_some() && is_number_times_a_letter(reading) => format!(
+                    "defines {name}, which the problem does not use; if {name} is a unit, it is written \\text{{{name}}}"
+                ),
                 false => format!("defines {name}, which the problem does not use"),
             };
             self.implied.extend(all);
             return Ok(Some(given(because)));
         }
         if energies::has_another_zero(self.quiet, display, reading) {
-            return Ok(Some(right("is right, with another zero of the potential energy")));
+            return Ok(Some(right("agrees, with another zero of the potential energy")));
         }
         if self.is_rounded(display, reading) {
-            let whose = if self.known.has_numbers() { "student" } else { "problem" };
+            if let Some(why) = self.wrong_unit(at, reading) {
+                return Ok(Some((Mark::Wrong, Verdict::Refuted, why)));
+            }
             self.known.add(reading, false);
-            return Ok(Some(right(format!("is right to the printed digits, with the numbers of the {whose}"))));
+            return Ok(Some(right("agrees to the printed digits, with the numbers that are given")));
         }
         if let Some(name) = self.follows_under_a_condition(reading) {
             return Ok(Some(right(format!("follows under the condition of {name}"))));
@@ -307,6 +313,17 @@ impl Judge<'_, '_> {
         };
         Ok((Mark::Wrong, None, because.to_owned()))
     }
+}
+
+/// Whether a reading gives a quantity a number times a letter, which may be a unit: `H = 5 m`.
+fn is_number_times_a_letter(reading: &Reading) -> bool {
+    let last = reading.statements.iter().flatten().next().and_then(|statement| statement.members.last());
+    last.is_some_and(|last| match &last.node {
+        Node::Product(factors) => {
+            matches!(factors.as_slice(), [number, letter] if number.as_digits().is_some() && letter.as_plain_symbol().is_some())
+        }
+        _ => false,
+    })
 }
 
 /// What is said of a trial solution.

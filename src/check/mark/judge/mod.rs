@@ -39,6 +39,7 @@ mod readings;
 mod secular;
 mod supposed;
 mod trial;
+mod units;
 
 use readings::{Break, free_of, with_dots};
 
@@ -195,15 +196,23 @@ impl Judge<'_, '_> {
             return Ok(());
         }
         if matches!(status, Status::Open(..) | Status::False(_)) && self.is_near(display, &reading) {
-            (status, under) = (Status::Holds(Verdict::Verified), Some("is right to the printed digits".into()));
+            (status, under) = (Status::Holds(Verdict::Verified), Some("agrees to the printed digits".into()));
         }
         // ≈ is = beside a number.
         if matches!(status, Status::Open(..)) && self.is_rounded(display, &reading) {
-            (status, under) = (Status::Holds(Verdict::Verified), Some("is right to the printed digits".into()));
+            (status, under) = (Status::Holds(Verdict::Verified), Some("agrees to the printed digits".into()));
         }
         if self.details && energies::is_sum_of_energies(self.quiet, &reading) {
             (line.mark, line.verdict) = (Mark::Wrong, Some(Verdict::Refuted));
             line.because = "is not the Lagrangian, which is the kinetic minus the potential energy".into();
+            self.push(line);
+            return Ok(());
+        }
+        // A value with the unit of another quantity is wrong, though its number is right.
+        if matches!(status, Status::Holds(_))
+            && let Some(why) = self.wrong_unit(at, &reading)
+        {
+            (line.mark, line.verdict, line.because) = (Mark::Wrong, Some(Verdict::Refuted), why);
             self.push(line);
             return Ok(());
         }

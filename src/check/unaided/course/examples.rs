@@ -7,7 +7,7 @@
 use crate::Result;
 use crate::check::document::checker::Checker;
 use crate::check::document::inferred::prose::body_of;
-use crate::check::equations::measured::{Comparison, compared};
+use crate::check::equations::measured::{Comparison, compared, in_words};
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
 use crate::check::repair::culprit::is_common;
@@ -87,8 +87,18 @@ impl Course<'_, '_> {
                 None => return Ok(None),
             },
         };
+        let values = in_words(&with_values, example.numbers, &context).filter(|_| place == at);
+        let other = || {
+            let (computed, printed) = values.as_ref()?;
+            let message = format!(
+                "the formula gives {computed} for {}, and {printed} is printed; this is not called wrong, since these values \
+                 may belong to another example",
+                shown.join(", ")
+            );
+            Some(finding(Verdict::Assumed, Code::Assumed, message))
+        };
         if outcome == Comparison::Open {
-            return Ok(None);
+            return Ok(other().filter(|_| found.finding.verdict == Verdict::Assumed));
         }
         let display = &checker.notes.equations[place];
         let explains = |edit: &Edit| {
@@ -107,13 +117,20 @@ impl Course<'_, '_> {
             let again = edited.and_then(|edited| self.put_in(edited, &given));
             again.is_some_and(|(edited, _)| compare(&edited) == Comparison::Agree)
         };
-        let Some(edit) = self.edits_of(place, part).into_iter().find(explains) else { return Ok(None) };
+        let Some(edit) = self.edits_of(place, part).into_iter().filter(may_be_lost).find(explains) else {
+            return Ok(other());
+        };
         let repair = Repair::of(edit, display.body.start, Verdict::Verified);
         if place != at {
             self.contradicted.push(Contradicted { definition: place, repair, by: at });
             return Ok(None);
         }
-        let message = format!("the formula does not give these numbers for {}", shown.join(", "));
+        let message = match &values {
+            Some((computed, printed)) => {
+                format!("the formula gives {computed} for {}, and {printed} is printed", shown.join(", "))
+            }
+            None => format!("the formula does not give these numbers for {}", shown.join(", ")),
+        };
         Ok(Some(Equation { repairs: vec![repair], ..finding(Verdict::Refuted, Code::NumbersDiffer, message) }))
     }
 
@@ -228,6 +245,13 @@ impl Course<'_, '_> {
         let symbols = &self.checker.model.symbols;
         format!("{} = {}", text::plain(&self.checker.model.name(given.symbol)), text::formula(&given.value, symbols))
     }
+}
+
+/// Whether an edit is no exchange of a number for one that no author loses: some number explains any result.
+fn may_be_lost(edit: &Edit) -> bool {
+    const SMALL: [&str; 6] = ["1", "2", "3", "4", "6", "8"];
+    let has_digits = edit.replacement.chars().any(|c| c.is_ascii_digit());
+    edit.slip != Slip::Number || !has_digits || SMALL.contains(&edit.replacement.trim())
 }
 
 /// The values that the formulas in sentences give to letters.

@@ -29,7 +29,9 @@ impl Units {
         if self.divides && !by_slash || by_slash && other.divides {
             self.fault.get_or_insert_with(|| {
                 Fault::ambiguous(span, "the / in this unit may divide by the next unit only, or by all units after it")
-                    .help("write J/(kg\\,K) or J\\,kg^{-1}\\,K^{-1}")
+                    .help(
+                        "put all units below the line in parentheses, or write negative powers, as in kg\\,m\\,s^{-2}",
+                    )
             });
         }
         self.fault = self.fault.take().or(other.fault);

@@ -147,7 +147,7 @@ impl Settler {
             if follows_quantity && sign(&items[at]).is_some_and(|unit| unit.is_degree()) {
                 let after = items[at + 1..].iter().find(|item| !is_thin(item));
                 if after.is_some_and(is_scale) {
-                    out.push(no_temperature(items[at].span));
+                    out.push(of_a_scale(items[at].span));
                     at += 1;
                     continue;
                 }
@@ -199,6 +199,12 @@ impl Settler {
                 if is_circle(sup) && is_quantity(nucleus) =>
             {
                 return degrees(item, nucleus, sup, next);
+            }
+            // `25\,^\circ\text{C}`: the circle stands on the space.
+            Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 }
+                if is_circle(sup) && is_thin(nucleus) && next.is_some_and(is_scale) =>
+            {
+                return of_a_scale(item.span);
             }
             Layout::Scripts { nucleus, sub, sup, primes } => Layout::Scripts {
                 nucleus: boxed(nucleus),
@@ -364,7 +370,8 @@ fn is_scale(item: &Item) -> bool {
     }
 }
 
-fn no_temperature(span: Span) -> Item {
+/// A temperature in degrees.
+fn of_a_scale(span: Span) -> Item {
     let message = "a temperature in degrees is not supported, because its zero is not that of the kelvin";
     let fault = Fault::unsupported(span, message).help("write the temperature in kelvin, \\text{K}");
     Item { layout: Layout::Fault(fault), span }
@@ -373,7 +380,7 @@ fn no_temperature(span: Span) -> Item {
 /// A number in degrees. Degrees of a temperature are another scale.
 fn degrees(whole: &Item, number: &Item, circle: &Item, next: Option<&Item>) -> Item {
     if next.is_some_and(is_scale) {
-        return no_temperature(whole.span);
+        return of_a_scale(whole.span);
     }
     let Some(mut units) = Unit::degree().and_then(one) else { return whole.clone() };
     units.plain = vec![circle.clone()];

@@ -4,7 +4,7 @@ use crate::formula::shape::Shape;
 use crate::formula::tree::{Condition, Expr, Node};
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::{Item, Layout, typed};
 use super::super::super::names;
 use super::super::super::rows::relation;
 use super::super::items::{Joint, beside, contents};
@@ -57,6 +57,20 @@ const RELATIONS: [&str; 33] = [
 /// Signs of a map, before which a colon binds less than they do: `f : A \to B`.
 const MAPS: [&str; 5] = ["\\rightarrow", "\\mapsto", "\\longrightarrow", "\\longmapsto", "\\in"];
 
+/// The fault of a comma between digits: it may divide thousands, be that of decimals, or that of a list.
+fn comma_of_digits(before: &Item, after: &Item) -> Fault {
+    let [a, b] = [before, after].map(|item| typed(std::slice::from_ref(item)));
+    let message = format!("{a},{b} may be one number or two values");
+    let digits = b.chars().take_while(char::is_ascii_digit).count();
+    let number = match digits {
+        // Thousands with a point: `1.000,5`.
+        _ if a.contains('.') => format!("{}.{b} for the number", a.replace('.', "")),
+        3 => format!("{a}{b} for the number with thousands, {a}.{b} for the decimals"),
+        _ => format!("{a}.{b} for the number"),
+    };
+    Fault::ambiguous(before.span.to(after.span), message).help(format!("write {number}, and {a}, {b} for a list"))
+}
+
 impl Reader<'_> {
     /// Items with a sign between formulas, or a comma; `None` if there is none.
     pub(in super::super) fn infix(&mut self, items: &[Item], place: Span) -> Read<Option<Expr>> {
@@ -70,11 +84,7 @@ impl Reader<'_> {
         };
         let is_sum = |item: &Item| sign(item, &SUMS);
         if let Some(at) = (1..items.len().max(1) - 1).find(|at| is_comma(&items[*at]) && joins_digits(items, *at)) {
-            return Err(Fault::ambiguous(
-                items[at - 1].span.to(items[at + 1].span),
-                "1,000 may be a number or two values",
-            )
-            .help("write 1000 for the number, and a space after the comma of a list"));
+            return Err(comma_of_digits(&items[at - 1], &items[at + 1]));
         }
         if let Some([first, .., last]) = items.windows(3).find(|three| is_comma_of_digits(three)) {
             return Err(Fault::ambiguous(

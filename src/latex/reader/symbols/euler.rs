@@ -63,8 +63,23 @@ impl Reader<'_> {
         let is_charge = self.symbols.inferred.charge && name.base == "e";
         let is_eccentricity = is_charge || self.symbols.open && name.base == "e" && next.is_some_and(is_cosine);
         if !declared && name.subscript.is_empty() && !is_eccentricity {
-            return Err(Fault::ambiguous(span, "e may be Euler’s number, 2.718…, or a symbol")
-                .help(format!("write \\exp(1) for the number, or {}", declaration("e", 0))));
+            // `1e3`, `3e-5`: a power of ten, as programs write it.
+            let is_exponent = |item: &&Item| {
+                item.span.start == span.end && matches!(item.layout, Layout::Number(_) | Layout::Other('-'))
+            };
+            if self.symbols.open && next.as_ref().is_some_and(is_exponent) {
+                return Err(Fault::ambiguous(
+                    span,
+                    "e may be the sign of a power of ten here, Euler’s number or a symbol",
+                )
+                .help("write 1 \\cdot 10^{3} for the power of ten, and \\exp(1) for Euler’s number"));
+            }
+            return Err(Fault::ambiguous(span, "e may be Euler’s number, 2.718…, or a symbol").help(
+                match self.symbols.open {
+                    true => "write \\exp(1) for the number, and another letter for a symbol".to_owned(),
+                    false => format!("write \\exp(1) for the number, or {}", declaration("e", 0)),
+                },
+            ));
         }
         Ok(None)
     }

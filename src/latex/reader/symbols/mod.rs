@@ -7,6 +7,7 @@ mod euler;
 
 use crate::formula::symbols::{Kind, Name, SymbolId};
 use crate::formula::tree::{Expr, Index, Node};
+use crate::formula::units::Unit;
 use crate::source::{Fault, Span};
 use crate::suggest;
 
@@ -101,14 +102,44 @@ impl Reader<'_> {
         if self.symbols.open {
             return self.undeclared(printed, span, items, cursor);
         }
+        if items.get(*cursor).is_some_and(|next| next.layout == Layout::Other('!')) {
+            return Err(Fault::unsupported(span, "a factorial is not supported")
+                .help("leave the equation out with \"skip\" in the claims file"));
+        }
         let add = match items.get(*cursor).and_then(arguments).filter(|_| dots == 0) {
             Some(arguments) => suggest::function(&name.to_string(), &arguments),
             None => suggest::declaration(&name.to_string(), dots),
         };
+        let unprimed = Name { primes: 0, ..name.clone() };
+        if let (1..=2, Some((id, _))) = (name.primes, self.symbols.find(&unprimed))
+            && self.symbols.entry(id).varies
+        {
+            let dot = if name.primes == 1 { "\\dot" } else { "\\ddot" };
+            return Err(Fault::undeclared(span, name)
+                .help(format!("for the rate of {unprimed} write {dot}{{{unprimed}}}; if not, {add}")));
+        }
+        if let Some(vector) = self.vector_of_component(name) {
+            return Err(Fault::undeclared(span, name).help(format!(
+                "if it is a component of {vector}, add {}: \"along \\\\hat e_a\" with your axes under \"components\" in the \
+                 claims file; if not, {add}",
+                suggest::in_json(&vector.to_string())
+            )));
+        }
         Err(Fault::undeclared(span, name).help(match self.symbols.nearest(name) {
             Some(near) => format!("did you mean {near}? If not, {add}"),
             None => add,
         }))
+    }
+
+    /// The declared vector of which a name with a number or an axis below it may be a component: `\vec\omega` of `\omega_3`.
+    fn vector_of_component(&self, name: &Name) -> Option<Name> {
+        let [label] = name.subscript.as_slice() else { return None };
+        let mut vectors = ["\\vec", "\\mathbf", "\\boldsymbol", "\\bm"].into_iter().map(|arrow| {
+            let text = format!("{arrow}{{{}}}", name.base);
+            names::parse(&text).map(|(vector, _)| vector)
+        });
+        let is_label = ["1", "2", "3", "x", "y", "z"].contains(&label.as_str());
+        vectors.find_map(|vector| vector.filter(|vector| is_label && self.symbols.find(vector).is_some()))
     }
 
     /// A name with dots that is declared with its dots, as `\dot{\vec v}` for the rate in turning axes, is that
@@ -227,8 +258,13 @@ impl Reader<'_> {
             };
         }
         if name.base.starts_with("\\mathrm{") {
-            return Err(Fault::ambiguous(span, format!("{name} may be a unit, a word or a symbol")).help(
-                "leave units out; for a symbol, use a letter with a subscript, or declare the name in a claims file",
+            let word = name.base.trim_start_matches("\\mathrm{").trim_end_matches('}');
+            let what = match Unit::named(word) {
+                Some(_) => format!("{word} may be a unit or a symbol"),
+                None => format!("{word} is no unit, and may be a word or a symbol"),
+            };
+            return Err(Fault::ambiguous(span, what).help(
+                "write a unit directly after its number; for a symbol, use a letter with a subscript, or declare the name in a claims file",
             ));
         }
         let twin = |primes: u8| Name { primes, ..name.clone() };

@@ -8,6 +8,7 @@ use super::super::super::layout::{Delimiter, Item, Layout, typed};
 use super::super::super::names;
 use super::super::items::{contents, joint};
 use super::super::state::{Read, Reader};
+use super::super::words::after_a_symbol;
 use super::no_factors::{is_word, signed_in_braces, unclear_operator};
 
 /// Arrows that show a direction or a change, and are no factors.
@@ -120,7 +121,7 @@ impl Reader<'_> {
         }
         if touches && self.is_name(before) && is_number_in_braces(item) {
             return Err(Fault::ambiguous(span, "a number after a symbol may be a subscript, a power or a factor")
-                .help("write x_2, x^2 or 2x"));
+                .help(after_a_symbol(item)));
         }
         if items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_)))
             && let Some(unit) = unit_in_brackets(item)

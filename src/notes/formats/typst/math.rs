@@ -34,6 +34,7 @@ pub(super) fn latex(text: &str, place: Span) -> Vec<Piece> {
     let mut parser = Parser { text, at: place.start, end: place.end, depth: 0 };
     let mut pieces = match parser.row(&[]) {
         Some(pieces) if parser.at >= place.end => pieces,
+        _ if is_unclosed(&text[place.range()]) => vec![unknown(place, "Unclosed")],
         _ => vec![unknown(place, "NotUnderstood")],
     };
     // What stands for nothing in the file stands behind the piece before it.
@@ -45,6 +46,12 @@ pub(super) fn latex(text: &str, place: Span) -> Vec<Piece> {
         }
     }
     pieces
+}
+
+/// Whether a parenthesis or a quotation mark of a formula is not closed.
+fn is_unclosed(text: &str) -> bool {
+    let count = |c: char| text.matches(c).count();
+    [('(', ')'), ('[', ']'), ('{', '}')].iter().any(|(open, close)| count(*open) > count(*close)) || count('"') % 2 == 1
 }
 
 fn unknown(place: Span, name: &str) -> Piece {
