@@ -61,7 +61,7 @@ pub fn declaration(name: &str, dots: u8) -> String {
 #[cfg(feature = "notes")]
 pub fn systems<'a>(names: impl Iterator<Item = &'a str>) -> String {
     format!(
-        "the systems are {}; a system of your own needs a Rust program, see examples/own_system.rs",
+        "the systems are {}; for another system, print its Lagrangian, L = …, in notes; no \"system\" is needed then",
         names.collect::<Vec<_>>().join(", ")
     )
 }

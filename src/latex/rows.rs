@@ -183,16 +183,18 @@ fn is_blank(cell: &[&Item]) -> bool {
 fn side_by_side<'a>(cells: &[Vec<&'a Item>]) -> Vec<&'a Item> {
     let mut items: Vec<&'a Item> = Vec::new();
     let is_relation = |item: &&Item| relation(item).is_some();
+    // Whether a relation stands in the column so far.
+    let mut has_relation = false;
     for (at, cell) in cells.iter().enumerate() {
         let joins = |item: Option<&&Item>| item.is_some_and(|item| relation(item).is_some() || is_operator(item));
         let goes_on = joins(items.iter().rev().find(is_significant)) || joins(cell.iter().find(is_significant));
         // `a = b & c = d`: each column is an equation.
-        let since = items.iter().rposition(|item| std::ptr::eq(*item, &COLUMN)).map_or(0, |column| column + 1);
-        let is_second =
-            items[since..].iter().any(|item| is_relation(item)) && cell.iter().any(|item| is_relation(item));
+        let is_second = has_relation && cell.iter().any(|item| is_relation(item));
         if at > 0 && (at % 2 == 0 || is_second) && !is_blank(cell) && !goes_on {
             items.push(&COLUMN);
+            has_relation = false;
         }
+        has_relation |= cell.iter().any(|item| is_relation(item));
         items.extend(cell);
     }
     items

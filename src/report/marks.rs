@@ -61,7 +61,7 @@ pub fn hint(marked: &Marked, line: &Line, hints: Hints) -> String {
     if hints.0 >= 2 {
         let kind = match (slip, correction(marked, line)) {
             (None, _) if matches!(line.because, Because::Unit { .. }) => "the unit is wrong",
-            (None, _) => "no single mistake explains it",
+            (None, _) => "no single change that was tried makes it right",
             (Some(slip), Some((is, _))) if slip.lost == Lost::Function && is.is_empty() => "a function is missing",
             (Some(slip), _) => kind(slip.lost),
         };
@@ -258,7 +258,7 @@ pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
             out += &(wrap("  missing: ", &called(result), 4, style.width) + "\n");
         }
         if marked.lines.is_empty() && marked.fault.is_none() {
-            let said = "no formula was found in this file; write each formula between $ … $ or $$ … $$";
+            let said = "no formula was found in this file; write each formula in LaTeX between $ … $, such as $v = \\sqrt{2 a s}$";
             out += &(wrap("  ", said, 4, style.width) + "\n");
         }
         out.push('\n');

@@ -146,6 +146,14 @@ fn has(formula: &Expr, symbol: SymbolId) -> bool {
     found
 }
 
+/// What to type for the two sides of an equation, and for two equations.
+fn two_arguments(left: &str, right: &str) -> String {
+    format!(
+        "give the two sides as two arguments: onshell equal '{left}' '{right}'; to compare two equations, solve both for one \
+         letter, and compare the results"
+    )
+}
+
 /// The fault of a text that is an equation and not a formula: its two sides should be compared with each other.
 fn two_sides(text: &str, macros: &Macros) -> Option<Fault> {
     let reading = read_display(text, &mut Symbols::open(), macros);
@@ -157,7 +165,7 @@ fn two_sides(text: &str, macros: &Macros) -> Option<Fault> {
     {
         let fault = Fault::new(Span::new(at, at + 1), "“=” makes this an equation, and a formula is needed");
         let (left, right) = (text[..at].trim(), text[at + 1..].trim());
-        let advice = format!("give the two sides as two arguments: onshell equal '{left}' '{right}'");
+        let advice = two_arguments(left, right);
         return Some(fault.code(Code::NotSupported).help(advice));
     }
     let statement = reading.statements.into_iter().flatten().find(|statement| !statement.relations.is_empty())?;
@@ -165,7 +173,7 @@ fn two_sides(text: &str, macros: &Macros) -> Option<Fault> {
     let fault = Fault::new(place, format!("“{}” makes this an equation, and a formula is needed", relation.glyph()));
     let side = |at: usize| text.get(statement.members.get(at)?.span.range());
     let (left, right) = (side(0)?, side(1)?);
-    let advice = format!("give the two sides as two arguments: onshell equal '{left}' '{right}'");
+    let advice = two_arguments(left, right);
     Some(fault.code(Code::NotSupported).help(match relation {
         Relation::Approximately => format!("{advice}; that they are nearly equal can be claimed in a claims file only"),
         _ => advice,

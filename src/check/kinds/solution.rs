@@ -248,7 +248,9 @@ fn is_implicit(link: &Link, model: &Model) -> bool {
     let moves = |(id, _): &(SymbolId, u8)| model.is_coordinate(*id);
     let left: Vec<(SymbolId, u8)> = link.lhs.symbols().into_iter().filter(moves).collect();
     let is_one = matches!(left.as_slice(), [(_, 0)]);
+    // A law of first order leaves one constant, which such a formula may define.
     is_one
+        && model.system.is_some()
         && model.coordinates.len() == 1
         && is_equality(link.relation)
         && link.free.is_empty()

@@ -11,7 +11,7 @@ use super::super::lexer::Space;
 use super::super::names;
 use super::super::overdots;
 use super::super::rows::relation;
-use super::algebra::evidence::is_matrix;
+use super::algebra::is_matrix;
 use super::items::{contents, differential, is_number, joint, starts_differential, whole_number};
 use super::state::{Read, Reader, unread};
 use super::structure::is_material;

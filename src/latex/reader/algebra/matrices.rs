@@ -6,7 +6,8 @@ use crate::formula::tree::{Expr, Index, MatrixFunction, Node};
 use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Delimiter, Item, Layout};
-use super::super::super::names;
+use super::super::super::names::{self, Printed};
+use super::super::super::rows::relation;
 use super::super::items::{contents, is_minus_one, is_transpose, whole_number};
 use super::super::state::{Read, Reader};
 
@@ -161,4 +162,25 @@ pub(super) fn is_dagger(item: &Item) -> bool {
         [Item { layout: Layout::Other('†'), .. }] => true,
         _ => false,
     }
+}
+
+/// The name that an item is, without a prime.
+pub(super) fn name_of(item: &Item) -> Option<Printed<'_>> {
+    names::printed(item, None).filter(|printed| printed.name.primes == 0)
+}
+
+/// Whether a name is in bold.
+pub(super) fn is_bold(name: &Name) -> bool {
+    name.base.starts_with("\\mathbf{")
+}
+
+/// Whether an item ends a statement or a side.
+pub(super) fn is_break(item: &Item) -> bool {
+    matches!(item.layout, Layout::Other(',' | ';' | '.') | Layout::Text(_) | Layout::Row | Layout::Align)
+        || relation(item).is_some()
+}
+
+/// Whether an environment is a matrix.
+pub fn is_matrix(name: &str) -> bool {
+    matches!(name, "pmatrix" | "bmatrix" | "matrix" | "array" | "smallmatrix" | "Bmatrix")
 }

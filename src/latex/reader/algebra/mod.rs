@@ -8,6 +8,7 @@
 //! | `brackets` | `[A, B]` of matrices |
 //! | `poisson` | `\{f, g\}`, `[f, g]_{q,p}` |
 //! | `engineering` | whether j is √−1 |
+//! | `imaginary` | whether i is √−1 |
 //! | `evidence` | without declarations: which letters are vectors, matrices or complex, from what the display says |
 //!
 //! Offers `algebra`, the factor that such a notation is, as a method of the reader. Knows the layout and the state of the reader.
@@ -17,14 +18,15 @@ mod cases;
 mod complex;
 mod engineering;
 pub mod evidence;
+mod imaginary;
 mod matrices;
 mod poisson;
 
 #[cfg(feature = "notes")]
-pub use evidence::has_imaginary_unit;
+pub use imaginary::has_imaginary_unit;
 pub use poisson::pairs_by_name;
 
-pub(super) use matrices::operator_word;
+pub(super) use matrices::{is_matrix, operator_word};
 
 use crate::formula::tree::Expr;
 

@@ -40,9 +40,10 @@ impl Reader<'_> {
             return Ok(power);
         }
         // `[x_i, p_j] = i\delta_{ij}`
-        let is_factor = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).count() > 1;
         let is_i = name.base == "i" && name.subscript.is_empty() && !self.bound.contains(&name.base);
-        if self.symbols.open && self.symbols.inferred.i_is_index && is_i && is_factor && !self.is_imaginary_unit(name) {
+        let is_unclear = || self.symbols.open && self.symbols.inferred.i_is_index && !self.is_imaginary_unit(name);
+        let is_factor = || items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).nth(1).is_some();
+        if is_i && is_unclear() && is_factor() {
             return Err(Fault::ambiguous(span, "i may be √−1 or the index that stands elsewhere")
                 .help("write \\mathrm{i} for √−1, and another letter for the index"));
         }

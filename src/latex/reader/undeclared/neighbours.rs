@@ -163,8 +163,11 @@ impl Reader<'_> {
             )
             .help("number the equation with \\tag, and write a factor before what it multiplies"));
         }
+        if !matches!(before.layout, Layout::Number(_)) {
+            return Ok(());
+        }
         let run: String = items[at..].iter().map_while(letter).collect();
-        if matches!(before.layout, Layout::Number(_)) && UNITS.contains(&run.as_str()) {
+        if UNITS.contains(&run.as_str()) {
             return Err(Fault::ambiguous(item.span, format!("{run} may be a unit or a product"))
                 .help(format!("write \\text{{{run}}} for the unit, or \\cdot between the factors")));
         }
@@ -253,14 +256,17 @@ fn is_place_of(item: &Item, variable: &Name) -> bool {
 
 /// Whether a `*` stands between a kernel and one other name, which are the whole side: `G * u`.
 fn is_filter(items: &[Item], at: usize) -> bool {
-    let solid = |items: &[Item]| {
-        items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).cloned().collect::<Vec<_>>()
+    if items[at].layout != Layout::Other('*') {
+        return false;
+    }
+    let only = |items: &[Item]| -> Option<usize> {
+        let mut solid = (0..items.len()).filter(|place| !matches!(items[*place].layout, Layout::Space(_)));
+        solid.next().filter(|_| solid.next().is_none())
     };
-    let (before, after) = (solid(&items[..at]), solid(&items[at + 1..]));
     let is_kernel = |item: &Item| matches!(letter(item), Some('G' | 'K'));
     let is_name = |item: &Item| names::printed(item, None).is_some_and(|found| found.sup.is_none());
-    items[at].layout == Layout::Other('*')
-        && matches!((before.as_slice(), after.as_slice()), ([kernel], [name]) if is_kernel(kernel) && is_name(name))
+    let (Some(before), Some(after)) = (only(&items[..at]), only(&items[at + 1..])) else { return false };
+    is_kernel(&items[before]) && is_name(&items[at + 1 + after])
 }
 
 /// `(5.12)`
