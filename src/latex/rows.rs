@@ -189,12 +189,12 @@ fn side_by_side<'a>(cells: &[Vec<&'a Item>]) -> Vec<&'a Item> {
         let joins = |item: Option<&&Item>| item.is_some_and(|item| relation(item).is_some() || is_operator(item));
         let goes_on = joins(items.iter().rev().find(is_significant)) || joins(cell.iter().find(is_significant));
         // `a = b & c = d`: each column is an equation.
-        let is_second = has_relation && cell.iter().any(|item| is_relation(item));
+        let is_second = has_relation && cell.iter().any(is_relation);
         if at > 0 && (at % 2 == 0 || is_second) && !is_blank(cell) && !goes_on {
             items.push(&COLUMN);
             has_relation = false;
         }
-        has_relation |= cell.iter().any(|item| is_relation(item));
+        has_relation |= cell.iter().any(is_relation);
         items.extend(cell);
     }
     items

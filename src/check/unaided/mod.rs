@@ -45,7 +45,7 @@ use std::sync::Arc;
 use crate::Error;
 use crate::Result;
 use crate::check::document::inferred::open_energies;
-use crate::check::document::setup::{Run, define_macros, with_checker, without_open_energies};
+use crate::check::document::setup::{Run, define_macros, with_checker};
 use crate::check::prose_claims;
 use crate::check::run::check_in;
 use crate::check::unaided::course::Judged;
@@ -126,7 +126,7 @@ pub fn system_of(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Option
             let notes = with_ids(notes);
             traced(run, &prose_claims::with_guesses(run, claims, &notes), &notes)
         }
-        None => traced(run, claims, &without_open_energies(claims, notes)),
+        None => traced(run, claims, &crate::check::document::setup::without_open_energies(claims, notes)),
     }
 }
 
