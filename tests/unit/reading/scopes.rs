@@ -131,3 +131,13 @@ fn names_functions_and_units_that_a_physicist_reads_at_once() {
     ]);
     are_refused(&["a = i x", "a = \\mathcal{D}[\\hat b][\\hat\\rho]"]);
 }
+
+#[test]
+fn a_number_that_is_put_in_is_a_factor() {
+    are_read(&[
+        ("F = 2 \\times (2.5)", "F = 2·2.5"),
+        ("K = \\frac12(2.5)", "K = (1/2)·2.5"),
+        ("F = (2.0)(2.5)", "F = 2.0·2.5"),
+    ]);
+    are_refused(&["a = b (2.5)", "\\nabla\\cdot \\mathbf{E} = 0 (1.1)"]);
+}

@@ -6,7 +6,7 @@ use crate::source::Fault;
 
 use super::super::super::layout::{Delimiter, Item, Layout, typed};
 use super::super::super::names;
-use super::super::items::{contents, joint};
+use super::super::items::{contents, is_numeric_item, joint};
 use super::super::state::{Read, Reader};
 use super::super::words::after_a_symbol;
 use super::no_factors::{is_word, signed_in_braces, unclear_operator};
@@ -156,7 +156,7 @@ impl Reader<'_> {
         }
         let ends =
             items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_) | Layout::Other('.' | ',')));
-        if ends && is_equation_number(item) && !is_nonzero_number(before) {
+        if ends && is_equation_number(item) && !is_nonzero_number(before) && joint(before).is_none() {
             return Err(Fault::ambiguous(
                 item.span,
                 "a number in parentheses at the end may be that of the equation, or a factor",
@@ -278,6 +278,7 @@ fn is_equation_number(item: &Item) -> bool {
 fn is_nonzero_number(item: &Item) -> bool {
     match &item.layout {
         Layout::Number(digits) => digits != "0",
+        Layout::Fraction(..) | Layout::Unit(_) => is_numeric_item(item) || matches!(item.layout, Layout::Unit(_)),
         Layout::Scripts { nucleus, .. } => is_nonzero_number(nucleus),
         _ => is_lone_number(item),
     }
