@@ -341,9 +341,8 @@ impl Checker<'_> {
             self.hypothesis(&at_once(&format!("{time} = 0")), throughout, into)?;
             return self.hypothesis(&at_once(&text), throughout, into);
         }
-        let has_relation =
-            ["=", "<", ">", "\\n", "\\l", "\\g", "\\a", "\\s", "\\eq", "≠", "≤", "≥", "≪", "≫", "≈", "→", "\\t"];
-        let are_words = !has_relation.iter().any(|sign| latex.value.contains(sign));
+        // An expression of mathematics has a sign, a digit or a command; words of prose have none.
+        let are_words = latex.value.chars().all(|c| c.is_alphabetic() || c.is_whitespace() || "-,.'".contains(c));
         let statements = self.statements(latex).map_err(|error| {
             let names = self.claims.conditions.iter().map(|(name, _)| name.value.as_str());
             match suggest::nearest(&latex.value, names) {
