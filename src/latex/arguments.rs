@@ -3,9 +3,9 @@
 use crate::formula::symbols::Name;
 use crate::formula::units;
 
-use super::layout::{Delimiter, Item, Layout, latex};
+use super::layout::{Delimiter, Item, Layout, contents, latex};
 use super::names;
-use super::reader::items::{contents, differential, whole_number};
+use super::reader::items::{differential, whole_number};
 
 /// Whether a number above δ is that of the dimensions, `\delta^3`, `\delta^{(3)}`.
 pub(super) fn is_dimension(sup: &Item) -> bool {

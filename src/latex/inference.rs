@@ -20,10 +20,10 @@ use super::arguments::{
     distribution, fence, has_dagger, is_comma, is_dimension, is_given, is_letter, is_step, is_unit_in_brackets,
     is_zero, item_has_comma, starts_derivative, trimmed,
 };
-use super::layout::{Delimiter, Item, Layout};
+use super::layout::{Delimiter, Item, Layout, contents};
 use super::names;
 use super::primed_names;
-use super::reader::items::{contents, differential, is_integral, is_minus_one, is_transpose, whole_number};
+use super::reader::items::{differential, is_integral, is_minus_one, is_transpose, whole_number};
 use super::reader::structure;
 use super::reader::undeclared::coefficient_d;
 use super::rows::relation;
@@ -238,7 +238,7 @@ impl Evidence {
             Layout::Fraction(above, below) => {
                 for part in [above, below] {
                     // The d of a derivative says nothing about differentials elsewhere.
-                    let part = super::reader::items::contents(part);
+                    let part = crate::latex::layout::contents(part);
                     // `\frac{\partial g(a + t)}{\partial t}`
                     if let [mark, name, arguments] = part
                         && self.is_abstract
@@ -270,7 +270,7 @@ impl Evidence {
     }
 
     fn inside_of(&mut self, item: &Item) {
-        self.list(super::reader::items::contents(item));
+        self.list(crate::latex::layout::contents(item));
     }
 
     /// A name, and what follows it at once.

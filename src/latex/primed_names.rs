@@ -155,17 +155,17 @@ impl Found {
             }
             Layout::Group(items) | Layout::Fence(_, items) => self.list(items),
             Layout::Fraction(a, b) => {
-                self.list(super::reader::items::contents(a));
-                self.list(super::reader::items::contents(b));
+                self.list(crate::latex::layout::contents(a));
+                self.list(crate::latex::layout::contents(b));
             }
             Layout::Accent(bar, a) if bar == "\\overline" || bar == "\\bar" => {
-                let inside = super::reader::items::contents(a);
+                let inside = crate::latex::layout::contents(a);
                 self.list(inside);
                 let names = inside.iter().filter_map(|item| names::printed(item, None)).map(|found| found.name);
                 self.averaged.extend(names.filter(|name| name.primes == 1));
             }
             Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => {
-                self.list(super::reader::items::contents(a));
+                self.list(crate::latex::layout::contents(a));
             }
             Layout::Scripts { nucleus, sup, .. } => {
                 if names::printed(item, None).is_none() {
@@ -179,7 +179,7 @@ impl Found {
                     self.has_index |= is_primed && sup.as_deref().is_some_and(is_greek);
                 }
                 if let Some(sup) = sup {
-                    self.list(super::reader::items::contents(sup));
+                    self.list(crate::latex::layout::contents(sup));
                 }
             }
             Layout::Environment(_, rows) => rows.iter().flatten().for_each(|cell| self.list(cell)),
@@ -190,6 +190,6 @@ impl Found {
 
 /// μ or ν above a letter.
 fn is_greek(sup: &Item) -> bool {
-    matches!(super::reader::items::contents(sup),
+    matches!(crate::latex::layout::contents(sup),
         [Item { layout: Layout::Command(name), .. }] if name == "\\mu" || name == "\\nu")
 }

@@ -13,13 +13,12 @@ use crate::source::{Fault, Span};
 use super::definitions::{DefinedSymbol, New, Place, Unknown};
 use super::inference::infer;
 use super::layout::rest::has_rest;
-use super::layout::{Delimiter, Item, Layout, typeset_items};
+use super::layout::{Delimiter, Item, Layout, contents, parts, typeset_items};
 use super::macros::Macros;
 use super::names;
 use super::pieces::{Piece, Printed, pieces, without_ranges};
 use super::reader::Reader;
 use super::reader::algebra::evidence;
-use super::reader::items::{contents, parts};
 use super::reader::structure::{note_levels, note_possible_indices};
 use super::reader::undeclared::note_marks;
 

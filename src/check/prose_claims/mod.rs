@@ -62,8 +62,9 @@ enum Refutes {
     WithAnEdit,
     /// The same, for a frequency, where the place is stable. Else the words mean another place.
     WhereStable,
-    /// Never: the name has another meaning as often. The energy of a driven system is not conserved, and authors leave constants out
-    /// of an effective potential.
+    /// Where the system is natural, L = T − V, so that what the words call the energy is conserved. The energy of a driven system is not.
+    WhereNatural,
+    /// Never: the name has another meaning as often. Authors leave constants out of an effective potential.
     Never,
 }
 
@@ -103,7 +104,7 @@ pub(crate) struct ProseClaim {
 pub fn checked(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Result<Document> {
     // Other displays decide what words mean too.
     let quiet = Run { only: None, progress: &(), ..*run };
-    let all = infer(claims, notes);
+    let all = weighed(&quiet, (claims, notes), infer(claims, notes));
     let is_conserved = |one: &ProseClaim| one.claims.iter().any(|(_, claim)| claim.conserved.is_some());
     let conserved: Vec<ProseClaim> = all.iter().filter(|one| is_conserved(one)).cloned().collect();
     let (mut said, brief) = standing(&quiet, (claims, notes), all, ProseClaim::may_stand);
@@ -230,7 +231,7 @@ fn kept(
 
 /// Guessed claims with those that the prose makes, as far as their displays pass with them or are refuted.
 pub(crate) fn with_guesses(run: &Run<'_>, claims: &Claims, notes: &Notes) -> Claims {
-    let mut said = infer(claims, notes);
+    let mut said = weighed(run, (claims, notes), infer(claims, notes));
     while !said.is_empty() {
         let with = added(claims, notes, &said);
         let tested = with_checker(run, &with, notes, |checker| {
@@ -270,6 +271,19 @@ pub(crate) fn infer(claims: &Claims, notes: &Notes) -> Vec<ProseClaim> {
     }
     said.extend(initial_values::infer(&names, &places));
     said.extend(places.into_iter().map(|place| place.claim));
+    said
+}
+
+/// The claims, of which those about the energy make a display wrong where the system is natural.
+fn weighed(run: &Run<'_>, (claims, notes): (&Claims, &Notes), mut said: Vec<ProseClaim>) -> Vec<ProseClaim> {
+    let needs_it = |claim: &ProseClaim| claim.refutes == Refutes::WhereNatural;
+    if said.iter().any(needs_it) {
+        let is_natural = with_checker(run, claims, notes, |checker| {
+            Ok(checker.model.system.as_ref().is_some_and(|system| system.is_natural()))
+        });
+        let refutes = if is_natural.unwrap_or(false) { Refutes::WithAnEdit } else { Refutes::Never };
+        said.iter_mut().filter(|claim| needs_it(claim)).for_each(|claim| claim.refutes = refutes);
+    }
     said
 }
 
@@ -380,7 +394,7 @@ impl ProseClaim {
             && match self.refutes {
                 Refutes::WithAnEdit => true,
                 Refutes::WhereStable => is_stable(),
-                Refutes::Never => false,
+                Refutes::WhereNatural | Refutes::Never => false,
             }
     }
 

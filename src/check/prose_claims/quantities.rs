@@ -1,5 +1,6 @@
 //! Quantities that follow from the Lagrangian and that the prose or custom names: effective potentials, constants of the motion.
 
+use crate::latex::layout::prints_derivative;
 use crate::latex::name_search;
 use crate::notes::claims::{Claim, Conserved};
 
@@ -69,10 +70,11 @@ fn conserved(notes_names: &NotesNames<'_>, at: usize) -> Option<ProseClaim> {
     let is_energy =
         before.says(&["energ", "énerg"]) && !before.says(&["kinet", "potential", "kinét", "potenti", "cinét"]);
     let is_said = says(&before) || says(&Sentence::after(notes_names.notes, at));
-    if !is_said && !is_energy {
+    let condition = notes_names.equality(at)?;
+    // A formula of velocities with the letter of the energy needs no word.
+    if !is_said && !is_energy && !prints_derivative(&condition, &notes_names.macros) {
         return None;
     }
-    let condition = notes_names.equality(at)?;
     let given = notes_names.usages.iter().find(|usage| usage.introduced == Some(at) && usage.arguments.is_none())?;
     let name = given.name.to_string();
     let is_meant = name_search::is_a_side(&condition, &name, &notes_names.macros)
@@ -82,8 +84,12 @@ fn conserved(notes_names: &NotesNames<'_>, at: usize) -> Option<ProseClaim> {
     is_meant.then(|| ProseClaim {
         claims: vec![(at, Claim { conserved: Some(spanned(Conserved::This)), ..Claim::default() })],
         displays: vec![at],
-        refutes: if is_said { Refutes::WithAnEdit } else { Refutes::Never },
-        why: format!("{name} is conserved, as the words around ({id}) say"),
+        refutes: if is_said { Refutes::WithAnEdit } else { Refutes::WhereNatural },
+        why: match is_said {
+            true => format!("{name} is conserved, as the words around ({id}) say"),
+            false if is_energy => format!("{name} is the energy, as the words before ({id}) say"),
+            false => format!("{name} is the energy, as it is a formula of velocities"),
+        },
         ..ProseClaim::default()
     })
 }

@@ -159,6 +159,30 @@ impl Item {
     }
 }
 
+/// The items inside a group, or the item itself.
+pub(crate) fn contents(item: &Item) -> &[Item] {
+    match &item.layout {
+        // `\frac{{\partial S}}{{\partial N}}`
+        Layout::Group(items) => match items.as_slice() {
+            [only @ Item { layout: Layout::Group(_), .. }] => contents(only),
+            _ => items,
+        },
+        _ => std::slice::from_ref(item),
+    }
+}
+
+/// The lists of items directly inside an item.
+pub(crate) fn parts(item: &Item) -> Vec<&[Item]> {
+    match &item.layout {
+        Layout::Group(items) | Layout::Fence(_, items) => vec![items],
+        Layout::Fraction(a, b) => vec![contents(a), contents(b)],
+        Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => vec![contents(a)],
+        Layout::Scripts { nucleus, .. } => vec![contents(nucleus)],
+        Layout::Environment(_, rows) => rows.iter().flatten().map(Vec::as_slice).collect(),
+        _ => Vec::new(),
+    }
+}
+
 /// ∂, ∇ or an upright d, which braces around it do not part from what it acts on.
 pub(super) fn is_derivative_mark(item: &Item) -> bool {
     match &item.layout {

@@ -5,7 +5,7 @@
 //! run goes before a shorter one. A run that begins with Σ, ∏, ∫ or lim reaches to the end of its term, so it is found
 //! only where a term ends.
 
-use super::item::{Delimiter, Item, Layout};
+use super::item::{Delimiter, Item, Layout, contents};
 use super::print::latex;
 
 /// Commands before which a term ends.
@@ -268,19 +268,20 @@ pub(crate) fn is_d(item: &Item) -> bool {
 
 /// Whether a numerator or a denominator begins with d or ∂.
 pub(crate) fn is_differential(item: &Item) -> bool {
-    let is_mark = |item: &Item| is_d(item) || matches!(&item.layout, Layout::Command(name) if name == "\\partial");
     let first = first_of(item);
     first.is_some_and(|first| match &first.layout {
-        Layout::Scripts { nucleus, .. } => is_mark(nucleus),
-        _ => is_mark(first),
+        Layout::Scripts { nucleus, .. } => is_d_or_partial(nucleus),
+        _ => is_d_or_partial(first),
     })
 }
 
+/// Whether an item is the d or ∂ of a differential.
+pub(crate) fn is_d_or_partial(item: &Item) -> bool {
+    is_d(item) || matches!(&item.layout, Layout::Command(name) if name == "\\partial")
+}
+
 fn first_of(item: &Item) -> Option<&Item> {
-    match &item.layout {
-        Layout::Group(items) => items.first(),
-        _ => Some(item),
-    }
+    contents(item).first()
 }
 
 /// Where a run that begins here ends, if it stands here.
@@ -359,13 +360,6 @@ fn same_item(a: &Item, b: &Item) -> bool {
             a == b && cells(rows) == cells(others) && all.into_iter().all(|(a, b)| same(a, b))
         }
         (a, b) => a == b,
-    }
-}
-
-fn contents(item: &Item) -> &[Item] {
-    match &item.layout {
-        Layout::Group(items) => items,
-        _ => std::slice::from_ref(item),
     }
 }
 

@@ -1,8 +1,7 @@
 //! Where the condition of a statement begins and ends: `\text{for } x > 0`, `\text{at } y = 1`.
 
-use super::super::layout::{Delimiter, Item, Layout, latex};
+use super::super::layout::{Delimiter, Item, Layout, contents, latex};
 use super::super::lexer::Space;
-use super::super::reader::items::contents;
 use super::super::rows::relation;
 use super::separators::{joins, separates};
 

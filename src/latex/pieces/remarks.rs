@@ -1,8 +1,7 @@
 //! Words that stand between formulas, and which of them are no statements.
 
-use super::super::layout::{Delimiter, Item, Layout, latex};
+use super::super::layout::{Delimiter, Item, Layout, contents, latex};
 use super::super::lexer::Space;
-use super::super::reader::items::contents;
 use super::super::reader::structure::is_prose;
 use super::super::rows::{is_operator, is_significant, relation};
 use super::conditions::begins_condition;

@@ -2,10 +2,9 @@
 
 use crate::source::Span;
 
-use super::super::layout::{Item, Layout, latex};
+use super::super::layout::{Item, Layout, contents, latex};
 use super::super::lexer::Space;
 use super::super::names;
-use super::super::reader::items::contents;
 use super::super::rows::relation;
 
 /// Whether a comma or a point does not separate statements: `1,000`, `a.b`, `x + ... + y`.

@@ -4,9 +4,8 @@ use crate::formula::symbols::Name;
 use crate::formula::tree::Relation;
 use crate::source::Fault;
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Item, Layout, contents, parts};
 use super::super::names;
-use super::super::reader::items::{contents, parts};
 use super::piece::{Link, Piece};
 
 /// The fault of a statement with a colon after a member, or with a `d` that may be a factor: `H = :\phi^2:`, `r_i = di`.

@@ -6,13 +6,13 @@ use crate::formula::symbols::Components;
 use crate::formula::tree::{Expr, Index, MatrixFunction, Node};
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Delimiter, Item, Layout};
+use super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::lexer::Space;
 use super::super::names;
 use super::super::overdots;
 use super::super::rows::relation;
 use super::algebra::is_matrix;
-use super::items::{contents, differential, is_number, joint, starts_differential, whole_number};
+use super::items::{differential, is_number, joint, starts_differential, whole_number};
 use super::state::{Read, Reader, unread};
 use super::structure::is_material;
 use super::values::Place;

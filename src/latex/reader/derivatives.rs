@@ -4,11 +4,11 @@ use crate::formula::symbols::Name;
 use crate::formula::tree::Expr;
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Item, Layout, contents};
 use super::super::lexer::Space;
 use super::super::names;
 use super::items::{
-    Joint, contents, differential, has_sign_second, is_big_sum, is_integral, joint, starts_differential, whole_number,
+    Joint, differential, has_sign_second, is_big_sum, is_integral, joint, starts_differential, whole_number,
 };
 use super::state::{Read, Reader};
 

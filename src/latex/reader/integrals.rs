@@ -11,9 +11,9 @@ use crate::formula::symbols::Name;
 use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Item, Layout, contents};
 use super::super::names::{self, unaccented};
-use super::items::{beside, contents, differential, extent, is_integral, is_lone, whole_number};
+use super::items::{beside, differential, extent, is_integral, is_lone, whole_number};
 use super::state::{Read, Reader};
 
 impl Reader<'_> {

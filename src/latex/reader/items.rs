@@ -4,7 +4,7 @@ use crate::formula::symbols::Name;
 use crate::formula::tree::{Expr, Function, Node};
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Delimiter, Item, Layout};
+use super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::names;
 use super::state::Read;
 
@@ -35,30 +35,6 @@ pub(super) fn joint(item: &Item) -> Option<Joint> {
             _ => None,
         },
         _ => None,
-    }
-}
-
-/// The items inside a group, or the item itself.
-pub(in super::super) fn contents(item: &Item) -> &[Item] {
-    match &item.layout {
-        // `\frac{{\partial S}}{{\partial N}}`
-        Layout::Group(items) => match items.as_slice() {
-            [only @ Item { layout: Layout::Group(_), .. }] => contents(only),
-            _ => items,
-        },
-        _ => std::slice::from_ref(item),
-    }
-}
-
-/// The lists of items directly inside an item.
-pub(in super::super) fn parts(item: &Item) -> Vec<&[Item]> {
-    match &item.layout {
-        Layout::Group(items) | Layout::Fence(_, items) => vec![items],
-        Layout::Fraction(a, b) => vec![contents(a), contents(b)],
-        Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => vec![contents(a)],
-        Layout::Scripts { nucleus, .. } => vec![contents(nucleus)],
-        Layout::Environment(_, rows) => rows.iter().flatten().map(Vec::as_slice).collect(),
-        _ => Vec::new(),
     }
 }
 

@@ -11,10 +11,10 @@ use crate::formula::symbols::{self, Kind, Name, SymbolId};
 use crate::formula::tree::{Expr, Node, Sign, Term, Variable};
 use crate::source::{Fault, Missing, Span};
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Item, Layout, contents};
 use super::super::lexer::Space;
 use super::super::names;
-use super::items::{Joint, contents, differential, has_sign_second, is_usual_index, joint, whole_number};
+use super::items::{Joint, differential, has_sign_second, is_usual_index, joint, whole_number};
 use super::state::{Read, Reader};
 
 /// Whether a derivative is written with ∂, or with d.

@@ -2,9 +2,9 @@
 
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Item, Layout, typed};
+use super::super::layout::{Item, Layout, contents, typed};
 use super::super::names;
-use super::items::{Joint, contents, differential, joint};
+use super::items::{Joint, differential, joint};
 
 /// The most characters of a text that is quoted. Of a longer one the letters a, b and c stand for the parts.
 const LONGEST: usize = 40;

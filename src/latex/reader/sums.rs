@@ -11,9 +11,9 @@ use crate::formula::SymbolId;
 use crate::formula::tree::{Excluded, Expr, Index, IndexId, Node};
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Item, Layout, contents};
 use super::super::names;
-use super::items::{contents, extent, whole_number};
+use super::items::{extent, whole_number};
 use super::state::{Read, Reader};
 
 /// One index under a Σ, with its excluded values and its continuum.

@@ -10,9 +10,9 @@ use crate::formula::symbols::Name;
 use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Delimiter, Item, Layout, typed};
+use super::super::layout::{Delimiter, Item, Layout, contents, typed};
 use super::super::names;
-use super::items::{contents, is_minus_one, is_number, is_numeric_item, is_transpose, whole_number};
+use super::items::{is_minus_one, is_number, is_numeric_item, is_transpose, whole_number};
 use super::state::{Read, Reader};
 
 /// A term `a/bc` as a fraction.

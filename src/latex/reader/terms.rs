@@ -4,12 +4,11 @@ use crate::code::Code;
 use crate::formula::tree::{Expr, Node, Sign, Term};
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Item, Layout, typed};
+use super::super::layout::{Item, Layout, contents, typed};
 use super::super::names;
 use super::functions::written_out;
 use super::items::{
-    contents, extent, function_head, is_any_integral, is_big_product, is_big_sum, is_integral, is_limit,
-    is_numeric_item, joint,
+    extent, function_head, is_any_integral, is_big_product, is_big_sum, is_integral, is_limit, is_numeric_item, joint,
 };
 use super::state::{Read, Reader};
 use super::words::are_no_words;

@@ -4,7 +4,7 @@
 //! tapes of L, momenta, energy, forces, mass matrix and accelerations (`traced_system`). Accelerations of many states
 //! are computed in blocks (`accelerations`, `programs`), or written as Rust source (`rust_source`). The Hamiltonian and
 //! the Routhian are Legendre transforms, whole and partial (`legendre`, `routhian`); `cyclic` finds the cyclic
-//! coordinates. `multipliers` completes the equations of motion where constraints have Lagrange multipliers.
+//! coordinates, `natural` tells whether L = T − V. `multipliers` completes the equations of motion where constraints have Lagrange multipliers.
 //!
 //! This folder imports the Lagrangian's trait, tapes, the linear solver and Newton's method from [`mechanics`](super),
 //! and numbers from [`scalar`](crate::scalar).
@@ -19,6 +19,7 @@ mod layout;
 mod legendre;
 mod multipliers;
 mod named_values;
+mod natural;
 mod programs;
 mod routhian;
 mod rust_source;

@@ -104,18 +104,17 @@ impl Sum {
             names::printed(item, None).filter(|printed| printed.dots == 0 && printed.sup.is_none()).map(|p| p.name)
         };
         let is_sign = |item: &&Item| matches!(item.layout, Layout::Other('+' | '-'));
-        let terms = rest.split(is_sign).map(|term| match term {
-            [only] => plain(only),
-            _ => None,
-        });
-        let named = rest.iter().position(|item| matches!(item.layout, Layout::Other('='))).and_then(|end| {
-            let names = rest[..end].split(is_sign).map(|term| match term {
+        let names_in = |side: &[&Item]| -> Option<Vec<Name>> {
+            let terms = side.split(is_sign).map(|term| match term {
                 [only] => plain(only),
                 _ => None,
             });
-            let names: Vec<Name> = names.collect::<Option<_>>()?;
+            terms.collect()
+        };
+        let named = rest.iter().position(|item| matches!(item.layout, Layout::Other('='))).and_then(|end| {
+            let names = names_in(&rest[..end])?;
             (names.len() > 1).then(|| (names, Span::new(equals.span.start, rest[end].span.start)))
         });
-        Some(Sum { of, terms: terms.collect(), named })
+        Some(Sum { of, terms: names_in(rest), named })
     }
 }

@@ -10,7 +10,8 @@ use crate::check::verdict::report::Equation;
 use crate::code::Code;
 use crate::formula::symbols::Name;
 use crate::formula::{Expr, SymbolId, text};
-use crate::latex::layout::{Item, Layout, typeset_items};
+use crate::latex::layout::values::is_d_or_partial;
+use crate::latex::layout::{Item, Layout, contents, typeset_items};
 use crate::latex::names;
 
 impl Course<'_, '_> {
@@ -61,15 +62,15 @@ fn collect(items: &[Item], found: &mut Vec<(Name, Vec<Name>)>) {
     let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
     for (at, item) in solid.iter().enumerate() {
         if let Layout::Fraction(above, below) = &item.layout
-            && let Some(variable) = variable(part(below))
+            && let Some(variable) = variable(contents(below))
         {
             let mut names = Vec::new();
-            match part(above) {
-                [d] if is_d(d) => {
+            match contents(above) {
+                [d] if is_d_or_partial(d) => {
                     let factor = solid.get(at + 1).filter(|next| matches!(next.layout, Layout::Fence(..)));
-                    factor.into_iter().for_each(|fence| factors(contents(fence), &mut names));
+                    factor.into_iter().for_each(|fence| factors(inside(fence), &mut names));
                 }
-                [d, Item { layout: Layout::Fence(_, inside), .. }] if is_d(d) => factors(inside, &mut names),
+                [d, Item { layout: Layout::Fence(_, inside), .. }] if is_d_or_partial(d) => factors(inside, &mut names),
                 _ => {}
             }
             if !names.is_empty() {
@@ -77,9 +78,9 @@ fn collect(items: &[Item], found: &mut Vec<(Name, Vec<Name>)>) {
             }
         }
         match &item.layout {
-            Layout::Fraction(a, b) => [a, b].into_iter().for_each(|side| collect(part(side), found)),
+            Layout::Fraction(a, b) => [a, b].into_iter().for_each(|side| collect(contents(side), found)),
             Layout::Environment(_, rows) => rows.iter().flatten().for_each(|cell| collect(cell, found)),
-            _ => collect(contents(item), found),
+            _ => collect(inside(item), found),
         }
     }
 }
@@ -92,11 +93,11 @@ fn factors(items: &[Item], names: &mut Vec<Name>) {
             continue;
         }
         match &item.layout {
-            Layout::Fraction(above, below) if variable(part(below)).is_none() => {
-                [above, below].into_iter().for_each(|side| factors(part(side), names));
+            Layout::Fraction(above, below) if variable(contents(below)).is_none() => {
+                [above, below].into_iter().for_each(|side| factors(contents(side), names));
             }
             Layout::Fraction(..) => {}
-            _ => factors(contents(item), names),
+            _ => factors(inside(item), names),
         }
     }
 }
@@ -105,27 +106,11 @@ fn factors(items: &[Item], names: &mut Vec<Name>) {
 fn variable(below: &[Item]) -> Option<Name> {
     let [d, rest @ ..] = below else { return None };
     let [only] = rest else { return None };
-    is_d(d).then(|| names::printed(only, None).map(|found| found.name))?
+    is_d_or_partial(d).then(|| names::printed(only, None).map(|found| found.name))?
 }
 
-fn is_d(item: &Item) -> bool {
-    match &item.layout {
-        Layout::Letter('d') => true,
-        Layout::Command(name) => name == "\\partial",
-        Layout::Style(style, inner) => style == "\\mathrm" && matches!(contents(inner), [only] if is_d(only)),
-        _ => false,
-    }
-}
-
-/// The items above or below the line of a fraction.
-fn part(item: &Item) -> &[Item] {
-    match &item.layout {
-        Layout::Group(items) => items,
-        _ => std::slice::from_ref(item),
-    }
-}
-
-fn contents(item: &Item) -> &[Item] {
+/// The items one level inside an item.
+fn inside(item: &Item) -> &[Item] {
     match &item.layout {
         Layout::Group(items) | Layout::Fence(_, items) => items,
         Layout::Scripts { nucleus, .. } | Layout::Root(_, nucleus) => std::slice::from_ref(nucleus),

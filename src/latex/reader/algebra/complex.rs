@@ -8,8 +8,7 @@ use crate::formula::symbols::{Kind, Name};
 use crate::formula::tree::{ComplexPart, Expr, Node};
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Item, Layout};
-use super::super::items::contents;
+use super::super::super::layout::{Item, Layout, contents};
 use super::super::state::{Read, Reader};
 use super::matrices::{is_dagger, operator_word};
 

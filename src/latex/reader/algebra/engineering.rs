@@ -2,10 +2,10 @@
 //!
 //! It is a symbol where it is an index, has one, has an accent or equals something, and where only an exponent of e has it.
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::{Item, Layout, contents, parts};
 use super::super::super::names;
 use super::super::super::rows::relation;
-use super::super::items::{contents, is_integral, parts};
+use super::super::items::is_integral;
 
 /// Whether nothing else can be meant.
 pub(super) fn is_imaginary(items: &[Item]) -> bool {

@@ -7,10 +7,10 @@
 use crate::formula::symbols::{Kind, Name, Symbols};
 use crate::source::Span;
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::{Item, Layout, contents, parts};
 use super::super::super::names::Printed;
 use super::super::super::rows::relation;
-use super::super::items::{contents, is_minus_one, is_transpose, parts};
+use super::super::items::{is_minus_one, is_transpose};
 use super::engineering;
 use super::imaginary::{has_imaginary_unit, has_upright, is_evident, is_index};
 use super::matrices::{is_bold, is_break, is_matrix, name_of, operator_word};

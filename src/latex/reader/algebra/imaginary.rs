@@ -1,9 +1,8 @@
 //! Whether i is √−1 in a display without declarations: in the exponent of e, beside ħ, before a commutator, squared, or upright, unless it
 //! is an index somewhere in the display. So is an upright j.
 
-use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::layout::{Delimiter, Item, Layout, contents, parts};
 use super::super::super::rows::relation;
-use super::super::items::{contents, parts};
 use super::matrices::{is_bold, is_break, is_matrix, name_of};
 
 fn is_i(item: &Item) -> bool {

@@ -5,10 +5,10 @@ use crate::formula::symbols::{Kind, Name};
 use crate::formula::tree::{Expr, Index, MatrixFunction, Node};
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names::{self, Printed};
 use super::super::super::rows::relation;
-use super::super::items::{contents, is_minus_one, is_transpose, whole_number};
+use super::super::items::{is_minus_one, is_transpose, whole_number};
 use super::super::state::{Read, Reader};
 
 impl Reader<'_> {

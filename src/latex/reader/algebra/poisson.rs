@@ -11,9 +11,8 @@ use crate::formula::tree::{Expr, Node, Sign, Term, Variable};
 use crate::formula::{SymbolId, text};
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
-use super::super::items::contents;
 use super::super::state::{Read, Reader};
 
 /// A coordinate, and the names of its momentum.

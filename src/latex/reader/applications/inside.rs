@@ -3,9 +3,9 @@
 use crate::formula::symbols::{Entry, Name};
 use crate::formula::tree::Sign;
 
-use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
-use super::super::items::{contents, differential, is_numeric_item, starts_differential};
+use super::super::items::{differential, is_numeric_item, starts_differential};
 
 /// Letters that stand for functions more often than for factors before a parenthesis.
 const FUNCTIONS: [&str; 20] = [

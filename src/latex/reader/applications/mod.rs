@@ -394,7 +394,7 @@ impl Reader<'_> {
         let has_sign = |items: &[Item]| items.iter().skip(1).any(|item| self.is_sign(item));
         // `mgl\left(\frac{a + b}{2}\right)` too.
         let is_sum = inside.iter().skip(1).any(|item| self.is_sign(item))
-            || matches!(inside.as_slice(), [Item { layout: Layout::Fraction(above, _), .. }] if has_sign(super::items::contents(above)));
+            || matches!(inside.as_slice(), [Item { layout: Layout::Fraction(above, _), .. }] if has_sign(crate::latex::layout::contents(above)));
         let is_plain_product =
             is_sum || is_powered || inside.iter().any(|item| has_rate(item)) || is_product_of_vectors(&inside);
         if has_nabla(inside.iter().copied()) {

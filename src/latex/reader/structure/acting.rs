@@ -11,10 +11,10 @@
 
 use crate::formula::symbols::{Inferred, Name};
 
-use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
 use super::super::super::rows::relation;
-use super::super::items::{contents, is_transpose};
+use super::super::items::is_transpose;
 
 /// Records these letters.
 pub(in super::super::super) fn note_acting(items: &[Item], inferred: &mut Inferred) {

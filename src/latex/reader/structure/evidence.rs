@@ -3,10 +3,10 @@
 
 use crate::formula::symbols::{Inferred, Name};
 
-use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::lexer::Space;
 use super::super::super::names;
-use super::super::items::{contents, differential, is_limit, is_transpose, whole_number};
+use super::super::items::{differential, is_limit, is_transpose, whole_number};
 use super::super::vector_names::is_vectorial;
 
 /// Records it.

@@ -3,8 +3,7 @@
 use crate::formula::tree::Expr;
 use crate::source::Span;
 
-use super::super::super::layout::{Item, Layout};
-use super::super::items::contents;
+use super::super::super::layout::{Item, Layout, contents};
 use super::super::state::{Read, Reader};
 use super::printed;
 

@@ -13,10 +13,9 @@
 
 use crate::formula::symbols::Inferred;
 
-use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
 use super::super::super::rows::relation;
-use super::super::items::contents;
 
 /// Greek letters that are indices where two of them stand side by side.
 const GREEK: [&str; 12] = [

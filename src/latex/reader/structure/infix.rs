@@ -4,10 +4,10 @@ use crate::formula::shape::Shape;
 use crate::formula::tree::{Condition, Expr, Node};
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Item, Layout, typed};
+use super::super::super::layout::{Item, Layout, contents, typed};
 use super::super::super::names;
 use super::super::super::rows::relation;
-use super::super::items::{Joint, beside, contents};
+use super::super::items::{Joint, beside};
 use super::super::state::{Read, Reader};
 use super::printed;
 

@@ -14,9 +14,9 @@ use std::collections::HashSet;
 
 use crate::formula::symbols::Inferred;
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::{Item, Layout, contents, parts};
 use super::super::super::names;
-use super::super::items::{contents, is_big_product, is_big_sum, parts};
+use super::super::items::{is_big_product, is_big_sum};
 use super::super::state::Reader;
 use super::super::vector_names::is_vectorial;
 use super::printed;

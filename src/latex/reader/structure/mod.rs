@@ -48,9 +48,8 @@ use crate::formula::symbols::{Kind, Name, Operator};
 use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Delimiter, Item, Layout, latex};
+use super::super::layout::{Delimiter, Item, Layout, contents, latex};
 use super::super::names;
-use super::items::contents;
 use super::state::{Read, Reader, unknown_command};
 
 impl Reader<'_> {
@@ -197,7 +196,7 @@ fn is_derivative(items: &[Item]) -> bool {
 fn fault_in(item: &Item) -> Option<Fault> {
     match &item.layout {
         Layout::Fault(fault) => Some(fault.clone()),
-        _ => super::items::parts(item).into_iter().flatten().find_map(fault_in),
+        _ => crate::latex::layout::parts(item).into_iter().flatten().find_map(fault_in),
     }
 }
 

@@ -3,9 +3,8 @@
 use crate::formula::tree::Expr;
 use crate::source::Fault;
 
-use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::algebra::operator_word;
-use super::super::items::contents;
 use super::super::state::{Read, Reader};
 use super::{is_prose, printed};
 

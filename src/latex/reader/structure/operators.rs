@@ -4,10 +4,10 @@
 use crate::formula::tree::Expr;
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
 use super::super::super::rows::relation;
-use super::super::items::{contents, differential, has_sign_second, is_any_integral, is_big_sum, joint, whole_number};
+use super::super::items::{differential, has_sign_second, is_any_integral, is_big_sum, joint, whole_number};
 use super::super::state::{Read, Reader};
 use super::super::undeclared::is_constant_before_an_integral;
 use super::super::vector_names::is_vectorial;

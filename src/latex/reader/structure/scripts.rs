@@ -7,9 +7,9 @@ use crate::formula::shape::Shape;
 use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
-use super::super::items::{contents, is_minus_one, is_transpose, whole_number};
+use super::super::items::{is_minus_one, is_transpose, whole_number};
 use super::super::state::{Read, Reader};
 use super::super::superscripts::is_value;
 use super::printed;

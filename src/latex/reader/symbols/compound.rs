@@ -4,9 +4,9 @@ use crate::formula::symbols::Name;
 use crate::formula::tree::Expr;
 use crate::source::Fault;
 
-use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
-use super::super::items::{contents, differential, differential_of_many};
+use super::super::items::{differential, differential_of_many};
 use super::super::state::{Read, Reader};
 
 impl Reader<'_> {

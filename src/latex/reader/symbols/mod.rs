@@ -12,9 +12,9 @@ use crate::source::{Fault, Span};
 use crate::suggest;
 
 use super::super::arguments::distribution;
-use super::super::layout::{Delimiter, Item, Layout};
+use super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::names::{self, Printed};
-use super::items::{contents, is_minus_one, is_transpose, whole_number};
+use super::items::{is_minus_one, is_transpose, whole_number};
 use super::state::{Read, Reader};
 
 impl Reader<'_> {

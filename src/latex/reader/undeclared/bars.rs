@@ -5,8 +5,8 @@ use crate::formula::symbols::Operator;
 use crate::formula::tree::Expr;
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Item, Layout};
-use super::super::items::{contents, is_any_integral, whole_number};
+use super::super::super::layout::{Item, Layout, contents};
+use super::super::items::{is_any_integral, whole_number};
 use super::super::state::{Read, Reader};
 use super::super::structure::printed;
 use super::simple_text;

@@ -5,9 +5,9 @@
 use crate::formula::symbols::Name;
 use crate::source::Fault;
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::{Item, Layout, contents, parts};
 use super::super::super::names;
-use super::super::items::{contents, differential, is_integral, parts};
+use super::super::items::{differential, is_integral};
 use super::super::state::Read;
 use super::super::structure::is_extremum;
 

@@ -3,10 +3,10 @@
 //! In the argument of a function or in an exponent, outside of derivatives and integrals, a d before a letter is no differential
 //! as a rule: at most an infinitesimal angle. It is a factor for sure beside another term that is a letter before a letter.
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::{Item, Layout, contents};
 use super::super::super::names;
 use super::super::super::rows::relation;
-use super::super::items::{contents, differential, function_head, is_any_integral};
+use super::super::items::{differential, function_head, is_any_integral};
 
 /// What a display shows about its d.
 #[derive(Default)]

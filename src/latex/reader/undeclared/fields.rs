@@ -4,8 +4,8 @@ use crate::formula::symbols::Operator;
 use crate::formula::tree::Expr;
 use crate::source::Fault;
 
-use super::super::super::layout::{Item, Layout};
-use super::super::items::{Joint, contents, joint, whole_number};
+use super::super::super::layout::{Item, Layout, contents};
+use super::super::items::{Joint, joint, whole_number};
 use super::super::state::{Read, Reader};
 
 impl Reader<'_> {

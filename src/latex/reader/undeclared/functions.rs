@@ -49,7 +49,7 @@ impl Reader<'_> {
             let value = self.inferred_function(span, printed, &bare, &mut 0)?;
             let Some(value) = value else { return Ok(None) };
             *cursor += 1;
-            let below = super::super::structure::printed(super::super::items::contents(sub));
+            let below = super::super::structure::printed(crate::latex::layout::contents(sub));
             let value = self.template(&format!("#_{{{below}}}"), vec![value], whole);
             return match sup {
                 Some(sup) => self.raised(value, sup, whole).map(Some),
@@ -75,7 +75,7 @@ impl Reader<'_> {
         }
         let is_marked = self.is_abstract() && next.is_some();
         let mark = printed.sup.filter(|sup| is_marked && whole_number(sup).is_none());
-        let mark = mark.map(|sup| super::super::structure::printed(super::super::items::contents(sup)));
+        let mark = mark.map(|sup| super::super::structure::printed(crate::latex::layout::contents(sup)));
         let mut above = None;
         let mut whole = span;
         let mut value = None;

@@ -7,12 +7,11 @@ use crate::formula::symbols::Operator;
 use crate::formula::tree::Expr;
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::{Item, Layout, contents};
 use super::super::super::names;
 use super::super::super::typeset;
 use super::super::items::{
-    beside, contents, differential, differential_of_many, extent, is_any_integral, is_big_product, is_big_sum,
-    is_integral, joint,
+    beside, differential, differential_of_many, extent, is_any_integral, is_big_product, is_big_sum, is_integral, joint,
 };
 use super::super::state::{Read, Reader};
 use super::super::structure::printed;

@@ -5,11 +5,11 @@
 
 use crate::formula::symbols::{Inferred, Name};
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::{Item, Layout, contents, parts};
 use super::super::super::lexer::Space;
 use super::super::super::names;
 use super::super::super::rows::relation;
-use super::super::items::{contents, is_any_integral, is_number, is_numeric_item, parts};
+use super::super::items::{is_any_integral, is_number, is_numeric_item};
 
 /// Small Greek letters that are coefficients before a name.
 const COEFFICIENTS: [&str; 10] =

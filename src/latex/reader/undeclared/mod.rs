@@ -39,9 +39,9 @@ use crate::formula::symbols::{Kind, Name, Operator};
 use crate::formula::tree::{Expr, Node};
 use crate::source::Span;
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Item, Layout, contents};
 use super::super::names;
-use super::items::{contents, is_any_integral, is_big_sum};
+use super::items::{is_any_integral, is_big_sum};
 use super::state::{Read, Reader};
 
 impl Reader<'_> {

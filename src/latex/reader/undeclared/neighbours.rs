@@ -4,9 +4,9 @@
 use crate::formula::symbols::Name;
 use crate::source::Fault;
 
-use super::super::super::layout::{Delimiter, Item, Layout, typed};
+use super::super::super::layout::{Delimiter, Item, Layout, contents, typed};
 use super::super::super::names;
-use super::super::items::{contents, is_numeric_item, joint};
+use super::super::items::{is_numeric_item, joint};
 use super::super::state::{Read, Reader};
 use super::super::words::after_a_symbol;
 use super::no_factors::{is_word, signed_in_braces, unclear_operator};

@@ -3,8 +3,8 @@
 use crate::formula::units;
 use crate::source::Fault;
 
-use super::super::super::layout::{Delimiter, Item, Layout};
-use super::super::items::{contents, joint};
+use super::super::super::layout::{Delimiter, Item, Layout, contents};
+use super::super::items::joint;
 
 /// The fault of δ, Δ or d before what is no letter: `\delta\ln W`, `d\ln T`. `d\sin\theta` is a product as often.
 pub(super) fn unclear_operator(before: &Item, item: &Item) -> Option<Fault> {

@@ -4,10 +4,10 @@ use crate::formula::symbols::Operator;
 use crate::formula::tree::Expr;
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::{Item, Layout, contents, parts};
 use super::super::super::names;
 use super::super::super::rows::relation;
-use super::super::items::{contents, extent, is_big_product, is_big_sum, parts};
+use super::super::items::{extent, is_big_product, is_big_sum};
 use super::super::state::{Read, Reader};
 use super::super::structure::printed;
 use super::simple_text;

@@ -4,8 +4,7 @@ use crate::formula::calculus::places::{End, at};
 use crate::formula::tree::{Expr, Node, Variable};
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Item, Layout};
-use super::super::items::contents;
+use super::super::super::layout::{Item, Layout, contents};
 use super::super::state::{Read, Reader};
 use super::sums::as_step;
 

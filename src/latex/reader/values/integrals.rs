@@ -10,9 +10,9 @@ use crate::formula::symbols::Name;
 use crate::formula::tree::{Definite, Expr, Node};
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::{Item, Layout, contents};
 use super::super::super::names;
-use super::super::items::{contents, differential, is_integral};
+use super::super::items::{differential, is_integral};
 use super::super::state::{Read, Reader};
 use super::sums::as_step;
 

@@ -28,9 +28,8 @@ use crate::formula::symbols::{Kind, Name};
 use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Item, Layout};
+use super::super::layout::{Item, Layout, contents};
 use super::super::names;
-use super::items::contents;
 use super::state::{Read, Reader};
 
 /// The deepest chain of definitions that is written out.

@@ -10,9 +10,9 @@ use crate::formula::calculus::{NoFormula, series};
 use crate::formula::tree::{Expr, Node, Sign, Term};
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::{Item, Layout, contents, parts};
 use super::super::super::names;
-use super::super::items::{contents, extent, is_big_product, parts, whole_number};
+use super::super::items::{extent, is_big_product, whole_number};
 use super::super::state::{Read, Reader};
 
 /// The most terms that are written out.
