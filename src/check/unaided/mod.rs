@@ -15,10 +15,10 @@
 //! other folders of `check`.
 
 mod complex;
-mod consequences;
 mod contradictions;
 mod course;
 mod dimensions;
+mod explanations;
 mod gate;
 pub(super) mod guess;
 mod inline;
@@ -72,7 +72,8 @@ pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
     inferred.extend(open_energies::left_out(notes, &open_energies::without_names(notes, &macros, &|_| false)));
-    consequences::excused(notes, &mut equations, &|edited| Ok(by_scopes(run, edited, None)?.0))?;
+    let judge = |edited: &Notes| Ok(by_scopes(run, edited, None)?.0);
+    explanations::weighed(run, notes, &mut equations, &explanations::Judge { named: &with_ids, found: &judge })?;
     Ok(Document { claims: None, ..document(run, &with_ids(notes), (equations, Vec::new(), inferred)) })
 }
 
@@ -239,7 +240,7 @@ fn weighed(run: &Run<'_>, claims: &Claims, printed: &Notes) -> Result<Document> 
         None => Ok(judged(run, claims, &with_ids(notes), &scope::Scope::whole())?.0),
     };
     let mut equations = whole(printed)?;
-    consequences::excused(printed, &mut equations, &whole)?;
+    explanations::weighed(run, printed, &mut equations, &explanations::Judge { named: &with_ids, found: &whole })?;
     with_checker(run, claims, notes, |checker| {
         for (at, equation) in equations.iter_mut().enumerate() {
             if checker.assigned[at].is_some()

@@ -2,11 +2,13 @@
 //!
 //! Where a display does not follow from a definition, the slip may be in either ([`Culprit`]). The other displays that use the
 //! name decide. Where none does, one of the two is wrong and nobody can tell which: the report says so, shows an edit of each,
-//! and calls neither wrong. The same is asked of relations that are taken for granted ([`premises`]).
+//! and calls neither wrong. The same is asked of relations that are taken for granted ([`premises`]), and of displays that follow
+//! from nothing, but would if one of these were corrected ([`unsupported`]).
 //!
 //! Offers `weighed`, which changes the findings on displays that contradict each other. Knows `repair` and below.
 
 pub(super) mod premises;
+mod unsupported;
 mod vouched;
 
 use crate::Result;
@@ -64,7 +66,7 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
             found[place] = open(&found[place], &name, culprit.repair);
         }
     }
-    Ok(())
+    unsupported::against_definitions(checker, first, found)
 }
 
 /// Whether a display gives a formula to a name that another one defines.

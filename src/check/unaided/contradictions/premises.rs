@@ -9,8 +9,8 @@ use crate::Result;
 use crate::check::repair::culprit::is_common;
 use crate::check::repair::ranking::{adds_parentheses, rank};
 use crate::check::repair::suggest::is_in_source;
-use crate::check::unaided::contradictions::vouched;
 use crate::check::unaided::contradictions::{consistent, contradicted, open, refuted, undecided};
+use crate::check::unaided::contradictions::{unsupported, vouched};
 use crate::check::unaided::course::Course;
 use crate::check::unaided::course::examples::LOST_FACTORS;
 use crate::check::unaided::dimensions;
@@ -93,7 +93,7 @@ pub(in crate::check::unaided) fn weighed(course: &Course<'_, '_>, found: &mut [E
             found[by] = open(&found[by], &name, repair);
         }
     }
-    Ok(())
+    unsupported::against_premises(course, found)
 }
 
 /// Leaves open the displays that contradict one premise from which nothing follows: a slip in the premise is likelier than one in each of
@@ -135,7 +135,7 @@ fn lost_factors(text: &str, symbols: &Symbols, macros: &Macros) -> Vec<Edit> {
 }
 
 /// The likeliest edit of a premise with which a display follows from the set; `None`, if no common one does that.
-fn edited(course: &Course<'_, '_>, at: usize, set: &[Premise], premise: &Premise) -> Result<Option<Repair>> {
+pub(super) fn edited(course: &Course<'_, '_>, at: usize, set: &[Premise], premise: &Premise) -> Result<Option<Repair>> {
     let checker = course.checker;
     let display = &checker.notes.equations[premise.at];
     let (symbols, macros) = (&checker.model.symbols, &checker.model.macros);

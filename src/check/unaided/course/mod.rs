@@ -93,6 +93,7 @@ pub(super) fn judged_again(
         doubtful: Vec::new(),
         other_case: false,
         blamed: Vec::new(),
+        unsupported: Vec::new(),
         confirmed: Vec::new(),
         contradicted: Vec::new(),
         in_sentences: OnceLock::new(),
@@ -172,6 +173,8 @@ pub(super) struct Course<'c, 'a> {
     other_case: bool,
     /// The displays that were called wrong given premises, with these.
     pub(super) blamed: Vec<(usize, Vec<Premise>)>,
+    /// The displays that are said to follow and do not, with what they may rest on.
+    pub(super) unsupported: Vec<(usize, Vec<Premise>)>,
     /// The places of the premises from which another display followed.
     pub(super) confirmed: Vec<usize>,
     /// The definitions that numbers of examples contradict.
@@ -321,19 +324,13 @@ impl Course<'_, '_> {
         if let Some(unclear) = self.with_unclear_derivative(at, &found) {
             return Ok(unclear);
         }
+        self.note_unsupported(at, &sought);
         self.note_doubt(at);
         self.take_for_granted(at);
         Ok(match self.introduced(at) {
             Some(name) => gate::introduces(found, &name),
             None => gate::as_it_counts(found),
         })
-    }
-
-    /// Whether an environment in a display was read as one name: `\begin{array}{ll} … \end{array}` behind a brace.
-    fn has_unread_rows(&self, at: usize) -> bool {
-        let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
-        let mut names = members.flat_map(Expr::symbols);
-        names.any(|(id, _)| self.checker.model.symbols.entry(id).name.base.contains("\\begin{"))
     }
 
     /// Notes the names that a display defines, if it relates what an earlier relation does and does not follow from it.

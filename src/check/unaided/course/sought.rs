@@ -66,6 +66,15 @@ impl Course<'_, '_> {
         before
     }
 
+    /// Notes a display that is said to follow and does not, with the likeliest premises: one of these may be wrong.
+    pub(super) fn note_unsupported(&mut self, at: usize, sought: &Sought<'_>) {
+        if sought.words.connected && !sought.words.other_case {
+            let sets = premises::for_slips(&sought.sets, false).into_iter().chain(&sought.nearest);
+            let sets = sets.map(|set| (at, set.iter().map(|premise| (*premise).clone()).collect()));
+            self.unsupported.extend(sets);
+        }
+    }
+
     /// The finding that a display follows from premises.
     pub(super) fn following(&mut self, at: usize, sought: &Sought<'_>) -> Result<Option<Equation>> {
         for set in sought.sets.iter().chain(&sought.nearest) {

@@ -13,6 +13,13 @@ use crate::code::Code;
 use crate::formula::{Expr, Kind, Node, SymbolId, text};
 
 impl Course<'_, '_> {
+    /// Whether an environment in a display was read as one name: `\begin{array}{ll} … \end{array}` behind a brace.
+    pub(super) fn has_unread_rows(&self, at: usize) -> bool {
+        let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        let mut names = members.flat_map(Expr::symbols);
+        names.any(|(id, _)| self.checker.model.symbols.entry(id).name.base.contains("\\begin{"))
+    }
+
     /// The finding on a display of which the reading may not be what is meant.
     pub(super) fn unclear(&self, at: usize, found: &Equation) -> Option<Equation> {
         let passes = found.finding.verdict.passes() && found.finding.verdict != Verdict::Definition;

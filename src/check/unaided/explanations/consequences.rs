@@ -75,17 +75,19 @@ fn correction_of(equation: &Equation) -> Option<&Repair> {
 }
 
 /// The findings on notes in which a display is corrected; `None` if they cannot be read so.
-fn corrected(
+pub(super) fn corrected(
     notes: &Notes,
     wrong: &Equation,
     judge: &dyn Fn(&Notes) -> Result<Vec<Equation>>,
 ) -> Result<Option<Vec<Equation>>> {
-    let Some(repair) = correction_of(wrong) else { return Ok(None) };
+    let edited = correction_of(wrong).and_then(|repair| with_repair(notes, repair));
+    edited.as_ref().map(judge).transpose()
+}
+
+/// The notes with a correction; `None` if they cannot be read so.
+pub(super) fn with_repair(notes: &Notes, repair: &Repair) -> Option<Notes> {
     let mut text = notes.source.text.clone();
-    if text.get(repair.span.range()).is_none() {
-        return Ok(None);
-    }
+    text.get(repair.span.range())?;
     text.replace_range(repair.span.range(), &repair.replacement);
-    let Ok(edited) = with_text(notes, text) else { return Ok(None) };
-    judge(&edited).map(Some)
+    with_text(notes, text).ok()
 }

@@ -1,0 +1,145 @@
+//! Displays that follow from nothing, and would follow if one likely slip in what they rest on were corrected.
+//!
+//! A consequence is no law of nature, so one that does not follow has a slip, or what it rests on has one. Where no slip in the
+//! display explains that, one in a definition or in a premise may. A premise from which something else follows is right.
+
+use crate::Result;
+use crate::check::document::checker::Checker;
+use crate::check::repair::culprit::is_common;
+use crate::check::unaided::contradictions::premises::edited;
+use crate::check::unaided::contradictions::{consistent, gives_its_name, refuted};
+use crate::check::unaided::course::Course;
+use crate::check::unaided::dimensions;
+use crate::check::unaided::gate;
+use crate::check::unaided::inline;
+use crate::check::unaided::premises::{Premise, Said};
+use crate::check::unaided::prose;
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+use crate::check::verdict::report::Equation;
+use crate::formula::{Expr, Statement, SymbolId};
+use crate::notes::claims::Claim;
+use crate::source::Span;
+
+/// Weighs the displays that follow from nothing against the definitions that they use.
+///
+/// # Errors
+/// As for a check of an equation.
+pub(super) fn against_definitions(checker: &Checker<'_>, first: usize, found: &mut [Equation]) -> Result<()> {
+    for place in 0..found.len() {
+        let at = first + place;
+        if checker.model.system.is_some() || !is_open(&found[place]) {
+            continue;
+        }
+        let words = prose::before(checker.notes, at);
+        if words.other_case || words.announced.is_supposed() {
+            continue;
+        }
+        if !fails_by_definitions(checker, at)? {
+            continue;
+        }
+        let Some(culprit) = checker.culprit(at)? else { continue };
+        let Some(defined) = culprit.at.checked_sub(first).filter(|defined| *defined < found.len()) else { continue };
+        let is_about_another = prose::object(checker.notes, at) != prose::object(checker.notes, culprit.at);
+        let is_untouched = matches!(found[defined].finding.verdict, Verdict::Definition | Verdict::Assumed);
+        if culprit.at > at
+            || is_about_another
+            || !is_untouched
+            || !is_common(culprit.repair.slip)
+            || gives_its_name(checker, at, culprit.at)
+            || dimensions::are_spoilt(checker, culprit.at, &culprit.repair)
+        {
+            continue;
+        }
+        let message = explained(&found[place].id, "definition");
+        let name = found[defined].id.clone();
+        found[defined] = refuted(&found[defined], &culprit.repair, message);
+        found[place] = consistent(&found[place], &name);
+    }
+    Ok(())
+}
+
+/// Weighs the displays that the words call consequences, and that follow from nothing, against their premises.
+///
+/// # Errors
+/// As for a check of an equation.
+pub(super) fn against_premises(course: &Course<'_, '_>, found: &mut [Equation]) -> Result<()> {
+    let first = course.scope.carried;
+    for (at, set) in &course.unsupported {
+        let Some(place) = at.checked_sub(first).filter(|place| found.get(*place).is_some_and(is_open)) else {
+            continue;
+        };
+        for premise in set {
+            let Some(premised) = premise.at.checked_sub(first) else { continue };
+            let is_free = premise.said == Said::Whole
+                && !premise.is_inline
+                && !course.confirmed.contains(&premise.at)
+                && found[premised].finding.verdict == Verdict::Assumed
+                && !(set.len() == 1 && is_alike(course.checker, *at, premise));
+            if !is_free {
+                continue;
+            }
+            let Some(repair) = edited(course, *at, set, premise)?.filter(|repair| is_common(repair.slip)) else {
+                continue;
+            };
+            let (id, name) = (found[place].id.clone(), found[premised].id.clone());
+            found[premised] = refuted(&found[premised], &repair, explained(&id, "relation"));
+            found[place] = consistent(&found[place], &name);
+            break;
+        }
+    }
+    Ok(())
+}
+
+fn explained(id: &str, what: &str) -> String {
+    format!("({id}) does not follow from this {what}, and a likely mistake in it explains that")
+}
+
+/// Whether a display is taken for granted, though it says more than what a name stands for.
+fn is_open(equation: &Equation) -> bool {
+    equation.finding.verdict == Verdict::Assumed
+}
+
+/// Whether a statement of a display fails of whose sides one has no name that the other has not, so that the definitions alone decide.
+fn fails_by_definitions(checker: &Checker<'_>, at: usize) -> Result<bool> {
+    let display = &checker.notes.equations[at];
+    let statements = &checker.readings[at].statements;
+    if inline::is_inline(checker.notes, display) || statements.iter().any(Result::is_err) {
+        return Ok(false);
+    }
+    let equates = |statement: &&Statement| {
+        statement.members.windows(2).all(|pair| {
+            let (left, right) = (gate::leaves(&pair[0], checker.model), gate::leaves(&pair[1], checker.model));
+            !left.is_empty() && !right.is_empty() && (contains(&left, &right) || contains(&right, &left))
+        })
+    };
+    let equating: Vec<Span> = statements.iter().flatten().filter(equates).map(|statement| statement.span).collect();
+    if equating.is_empty() {
+        return Ok(false);
+    }
+    let found = checker.equation(at, Some(&Claim::default()))?;
+    let parts = found.parts.iter().map(|part| &part.finding);
+    let fails = |finding: &Finding| {
+        let is_it = |span: &Span| span.shifted(display.body.start).contains(finding.span);
+        finding.verdict == Verdict::Refuted && equating.iter().any(is_it)
+    };
+    Ok(parts.chain(statements.len().eq(&1).then_some(&found.finding)).any(fails))
+}
+
+/// Whether a display contains the names that a premise does: it may be the same law of another thing.
+fn is_alike(checker: &Checker<'_>, at: usize, premise: &Premise) -> bool {
+    let printed = |at: usize| {
+        let members = checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        members.flat_map(Expr::symbols).map(|(id, _)| id).collect::<Vec<SymbolId>>()
+    };
+    same(&printed(at), &printed(premise.at))
+}
+
+fn same(a: &[SymbolId], b: &[SymbolId]) -> bool {
+    contains(a, b) && contains(b, a)
+}
+
+/// Whether a list has all names of another one.
+fn contains(all: &[SymbolId], some: &[SymbolId]) -> bool {
+    some.iter().all(|id| all.contains(id))
+}
