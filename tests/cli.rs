@@ -79,6 +79,8 @@ mod typst;
 mod unaided;
 #[path = "cli/unaided_cases.rs"]
 mod unaided_cases;
+#[path = "cli/unaided_causes.rs"]
+mod unaided_causes;
 #[path = "cli/unaided_chains.rs"]
 mod unaided_chains;
 #[path = "cli/unaided_contradictions.rs"]

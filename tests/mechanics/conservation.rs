@@ -110,3 +110,34 @@ fn what_only_numbers_show_to_be_cyclic_is_not_certain() {
     let system = System::new(&Hidden).unwrap();
     assert!(system.is_cyclic(0) && !system.is_certainly_cyclic(0));
 }
+
+/// ½ẋ² + ½A²(…): a bead on a rod that turns, or a mass on a spring, by the sign of the second term; with `linear`, a term linear in ẋ.
+struct OneBead {
+    sign: f64,
+    linear: f64,
+}
+impl Lagrangian<1, 2> for OneBead {
+    fn name(&self) -> &str {
+        "bead"
+    }
+    fn coordinates(&self) -> [&str; 1] {
+        ["x"]
+    }
+    fn parameters(&self) -> [&str; 2] {
+        ["m", "w"]
+    }
+    fn lagrangian<D: Number>(&self, at: &State<D, 1, 2>) -> D {
+        let (x, v, [m, w]) = (at.q[0], at.v[0], at.parameters);
+        m * v * v * 0.5 + m * w * w * x * x * (0.5 * self.sign) + x * v * self.linear
+    }
+}
+
+#[test]
+fn natural_systems_are_those_with_one_meaning_of_the_energy() {
+    let natural = |system: Result<System, onshell::Error>| system.unwrap().is_natural();
+    assert!(natural(System::new(&Pendulum::<2>::new())) && natural(System::new(&Kepler)));
+    assert!(natural(System::new(&OneBead { sign: -1.0, linear: 0.0 })), "a mass on a spring");
+    assert!(!natural(System::new(&OneBead { sign: 1.0, linear: 0.0 })), "a bead on a rod that turns");
+    assert!(!natural(System::new(&OneBead { sign: -1.0, linear: 1.0 })), "a term linear in the velocity");
+    assert!(!natural(System::new(&DampedOscillator)), "L depends on the time");
+}

@@ -120,7 +120,11 @@ pub(super) fn nearest<'p>(known: &'p [Premise], symbols: &[SymbolId]) -> Option<
 
 /// The sets with which a slip is sought: the likeliest, and the first of those with the most premises, which say the most. What is
 /// said to be constant follows from two relations as a rule.
-pub(super) fn for_slips<'s, 'p>(sets: &'s [Vec<&'p Premise>], is_constant: bool) -> Vec<&'s Vec<&'p Premise>> {
+pub(super) fn for_slips<'s, 'p>(
+    sets: &'s [Vec<&'p Premise>],
+    symbols: &[SymbolId],
+    is_constant: bool,
+) -> Vec<&'s Vec<&'p Premise>> {
     if is_constant {
         return sets.iter().take(1).chain(sets.iter().skip(1).filter(|set| set.len() > 1).take(PAIRS)).collect();
     }
@@ -136,7 +140,12 @@ pub(super) fn for_slips<'s, 'p>(sets: &'s [Vec<&'p Premise>], is_constant: bool)
         a.at.abs_diff(b.at) == 1
     };
     let pair = sets.iter().skip(1).find(adjacent).filter(|pair| most != Some(*pair));
-    sets.first().into_iter().chain(pair).chain(most).copied().collect()
+    // One relation that is about the same quantities, though another one stands nearer.
+    let shared = |set: &Vec<&Premise>| symbols.iter().filter(|id| set[0].symbols.contains(id)).count();
+    let nearest = sets.first().filter(|set| set.len() == 1).map_or(usize::MAX, |set| shared(set));
+    let alone = sets.iter().rev().filter(|set| set.len() == 1 && shared(set) > nearest);
+    let about = alone.max_by_key(|set| shared(set));
+    sets.first().into_iter().chain(about).chain(pair).chain(most).copied().collect()
 }
 
 /// The number of symbols that the equalities of premises cannot eliminate to leave a relation between these symbols; `None`, if one of the

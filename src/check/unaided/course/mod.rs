@@ -146,6 +146,8 @@ fn with_options<'a>(checker: &Checker<'a>, explain: bool) -> Checker<'a> {
 struct Sought<'p> {
     /// The words before it.
     words: &'p Words,
+    /// The symbols that it relates.
+    symbols: &'p [SymbolId],
     /// The sets of premises, the likeliest first.
     sets: Vec<Vec<&'p Premise>>,
     /// The display directly before it, where the words connect the two.
@@ -305,7 +307,7 @@ impl Course<'_, '_> {
         }
         let nearest = words.connected.then(|| premises::nearest(&before, &symbols)).flatten();
         let nearest = nearest.filter(|set| !sets.contains(set));
-        let sought = Sought { words: &words, sets, nearest, positive };
+        let sought = Sought { words: &words, symbols: &symbols, sets, nearest, positive };
         if let Some(follows) = self.following(at, &sought)? {
             return Ok(gate::as_it_counts(follows));
         }
@@ -313,7 +315,10 @@ impl Course<'_, '_> {
         if let Some(found) = self.solving(at, &solved)? {
             return Ok(gate::as_it_counts(found));
         }
-        if self.rests_on_doubt(at) || self.hides_a_letter(at) || self.is_about_guessed_matrices(at) {
+        if self.rests_on_doubt(at) && !self.is_by_itself(at)
+            || self.hides_a_letter(at)
+            || self.is_about_guessed_matrices(at)
+        {
             self.take_for_granted(at);
             return Ok(gate::as_it_counts(found));
         }

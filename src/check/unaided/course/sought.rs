@@ -69,7 +69,7 @@ impl Course<'_, '_> {
     /// Notes a display that is said to follow and does not, with the likeliest premises: one of these may be wrong.
     pub(super) fn note_unsupported(&mut self, at: usize, sought: &Sought<'_>) {
         if sought.words.connected && !sought.words.other_case {
-            let sets = premises::for_slips(&sought.sets, false).into_iter().chain(&sought.nearest);
+            let sets = premises::for_slips(&sought.sets, sought.symbols, false).into_iter().chain(&sought.nearest);
             let sets = sets.map(|set| (at, set.iter().map(|premise| (*premise).clone()).collect()));
             self.unsupported.extend(sets);
         }
@@ -122,7 +122,7 @@ impl Course<'_, '_> {
         }
         let mut statements = self.checker.readings[at].statements.iter().flatten();
         let is_constant = statements.any(|statement| statement.constant.is_some());
-        for set in premises::for_slips(&sought.sets, is_constant).into_iter().chain(&sought.nearest) {
+        for set in premises::for_slips(&sought.sets, sought.symbols, is_constant).into_iter().chain(&sought.nearest) {
             let claim = premises::claim(set);
             let where_positive = sought.positive.as_ref().map(|positive| positive.added_to(&claim));
             for claim in std::iter::once(claim).chain(where_positive) {

@@ -42,6 +42,8 @@ pub(super) fn occurrences(formula: &Expr, model: &Model) -> usize {
         count += match &part.node {
             Node::Symbol { id, .. } if stands_for_a_formula(*id, model) => 2,
             Node::Definite(_) => 2,
+            // What is conserved says something of the motion.
+            Node::TimeDerivative(..) if model.system.is_some() => 1,
             Node::Symbol { .. } | Node::Letter(_) | Node::Call(..) => 1,
             _ => 0,
         }

@@ -99,7 +99,7 @@ fn may_be(statement: &Statement, model: &Model, basis: Basis, words: &Words) -> 
         let (left, right) = (leaves(&pair[0], model), leaves(&pair[1], model));
         let alone =
             left.iter().filter(|id| !right.contains(id)).count() + right.iter().filter(|id| !left.contains(id)).count();
-        model.system.is_some() || alone <= MOST_ON_ONE_SIDE
+        model.system.is_some() || is_announced || alone <= MOST_ON_ONE_SIDE
     })
 }
 
