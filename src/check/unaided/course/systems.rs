@@ -26,6 +26,11 @@ impl Course<'_, '_> {
     /// Leaves out the premises of which the words before a display say that others hold in their place. What they name is kept.
     pub(super) fn leave_out_replaced(&self, at: usize, named: &[usize], premises: &mut Vec<Premise>) {
         let notes = self.checker.notes;
+        let text = &notes.source.text;
+        // The words before each display are looked up only where one of them may say so.
+        if !["replac", "instead", "wird durch", "remplac", "reemplaz"].iter().any(|word| text.contains(word)) {
+            return;
+        }
         for place in 0..=at {
             let words = prose::words_since_last(notes, place);
             if !REPLACED.iter().any(|word| words.contains(word)) {
