@@ -87,6 +87,10 @@ mod unaided_chains;
 mod unaided_contradictions;
 #[path = "cli/unaided_differentials.rs"]
 mod unaided_differentials;
+#[path = "cli/unaided_doubts.rs"]
+mod unaided_doubts;
+#[path = "cli/unaided_energies.rs"]
+mod unaided_energies;
 #[path = "cli/unaided_lagrangians.rs"]
 mod unaided_lagrangians;
 #[path = "cli/unaided_letters.rs"]

@@ -22,6 +22,7 @@ use crate::source::{Fault, Missing};
 use crate::{Error, Result};
 
 use crate::check::document::definition::define;
+use crate::check::document::inferred::early_definitions::EarlyDefinitions;
 use crate::check::document::inferred::prose::Prose;
 use crate::check::document::inferred::{indices, integration_constants, open_energies};
 use crate::check::document::normal_frequencies;
@@ -68,6 +69,7 @@ pub(crate) fn read_all(
     // What was added gives no name that the notes give, not even for a special case.
     let own = 0..notes.added_from.unwrap_or(readings.len());
     let added = own.end..readings.len();
+    let mut early = EarlyDefinitions::default();
     loop {
         let mut read_some = |range: &Range<usize>, of_a_case: bool, model: &mut Model| {
             let mut progress = false;
@@ -128,6 +130,7 @@ pub(crate) fn read_all(
             && !indices::declare(unread.iter().map(|(_, _, reading)| reading), model)
             && !unread.iter().any(|(at, _, reading)| integration_constants::declare(&texts[*at], reading, model))
             && !prose.define((claims, notes), unread.iter().map(|(at, _, reading)| (*at, reading)), true, model)
+            && !early.define(&unread, &texts, model)
         {
             let read = readings.iter().enumerate().filter_map(|(at, reading)| Some((at, reading.as_ref()?)));
             let all = read.chain(unread.iter().map(|(at, _, reading)| (*at, reading)));
@@ -150,7 +153,9 @@ pub(crate) fn read_all(
         }
     }
     assemble_families(model);
-    Ok(readings.into_iter().map(Option::unwrap_or_default).collect())
+    let mut readings: Vec<Reading> = readings.into_iter().map(Option::unwrap_or_default).collect();
+    early.restore(&mut readings);
+    Ok(readings)
 }
 
 /// The texts of the displays, with the errata of their claims corrected.

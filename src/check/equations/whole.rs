@@ -181,8 +181,9 @@ impl Checker<'_> {
                 vec![(self.formula(&Spanned::new(latex.clone(), conserved.span))?, None)]
             }
             Conserved::This => {
-                let last = statements.iter().enumerate().map(|(at, s)| Some((s.members.last()?.clone(), Some(at))));
-                last.flatten().collect()
+                // What a statement itself says to be constant is judged with it.
+                let open = statements.iter().enumerate().filter(|(_, s)| s.constant.is_none());
+                open.filter_map(|(at, s)| Some((s.members.last()?.clone(), Some(at)))).collect()
             }
         };
         for (what, at) in all {

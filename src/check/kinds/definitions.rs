@@ -110,8 +110,15 @@ pub fn check(
             Ok(context.finding(Code::DefinitionNotTested, Verdict::Undecided, message).defining(&name))
         }
         None => {
-            let message =
-                format!("defines {name}; tested by {}: a wrong formula{except} would fail there", names.join(" or "));
+            // Without a claims file a formula that is no quantity of the Lagrangian is a definition too.
+            let own = format!("{name} = ");
+            let message = match names.iter().all(|other| other.starts_with(&own)) {
+                true => format!("defines {name}; {}", names.join(" or ")),
+                false => format!(
+                    "defines {name}; tested by {}: a wrong formula{except} would fail there",
+                    names.join(" or ")
+                ),
+            };
             Ok(Finding { points, tried: points, ..context.finding(code, Verdict::Definition, message) })
         }
     }

@@ -41,6 +41,13 @@ pub(crate) fn of(symbol: SymbolId, context: &Context<'_>) -> Result<Option<(Stri
     Ok(None)
 }
 
+/// The kinetic and the potential energy in the printed Lagrangian, if it is quadratic in the velocities; `None` without one.
+pub(crate) fn energies(model: &Model) -> Option<[Expr; 2]> {
+    let mut found = quantities(model);
+    let (potential, kinetic) = (found.pop()?.1, found.pop()?.1);
+    Some([kinetic, potential])
+}
+
 /// The quantities that follow from the printed Lagrangian, with the words for them; none without one.
 fn quantities(model: &Model) -> Vec<(String, Expr)> {
     let printed = model.printed_lagrangian.as_ref().and_then(|printed| model.symbols.find(&printed.lagrangian));

@@ -134,6 +134,18 @@ impl<'a> NotesNames<'a> {
         is_one_equality(text).then(|| text.to_owned())
     }
 
+    /// The text of a display that is one equality, perhaps with "= const" behind it.
+    pub fn equality_but_for_constant(&self, at: usize) -> Option<String> {
+        let text = self.notes.equations[at].text.trim().trim_end_matches([',', '.', ';']).trim();
+        let (formula, last) = text.rsplit_once('=')?;
+        let word: String = last.chars().filter(|c| c.is_alphabetic()).collect();
+        let word = ["mathrm", "text", "mbox", "rm"].iter().find_map(|mark| word.strip_prefix(mark)).unwrap_or(&word);
+        match ["const", "constant", "konst", "cte", "cste", "constante", "costante"].contains(&word) {
+            true => Some(formula.trim().to_owned()).filter(|formula| is_one_equality(formula)),
+            false => self.equality(at),
+        }
+    }
+
     /// Whether a display is one equality, in which determinants may stand.
     pub fn is_equality_of_determinants(&self, at: usize) -> bool {
         is_one_equality(without_matrices(&self.notes.equations[at].text).trim().trim_end_matches([',', '.', ';']))

@@ -70,7 +70,7 @@ fn conserved(notes_names: &NotesNames<'_>, at: usize) -> Option<ProseClaim> {
     let is_energy =
         before.says(&["energ", "énerg"]) && !before.says(&["kinet", "potential", "kinét", "potenti", "cinét"]);
     let is_said = says(&before) || says(&Sentence::after(notes_names.notes, at));
-    let condition = notes_names.equality(at)?;
+    let condition = notes_names.equality_but_for_constant(at)?;
     // A formula of velocities with the letter of the energy needs no word.
     if !is_said && !is_energy && !prints_derivative(&condition, &notes_names.macros) {
         return None;

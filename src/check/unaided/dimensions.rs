@@ -23,7 +23,7 @@ use crate::formula::{Expr, Node, Statement, SymbolId, Symbols, text};
 use crate::latex::layout::values::parts_of;
 use crate::latex::layout::{Item, Layout, typeset_items};
 use crate::latex::slips::{Edit, Slip, slips};
-use crate::latex::{Macros, read_display};
+use crate::latex::{Macros, Reading, read_display};
 use crate::source::Span;
 
 /// The most displays that are compared with each other.
@@ -87,6 +87,9 @@ fn statements<'c>(checker: &'c Checker<'_>, at: usize) -> Option<Vec<&'c Stateme
     if inline::is_inline(checker.notes, display) && inline::is_conditional(checker.notes, display) {
         return None;
     }
+    if names_a_constraint(checker, at) {
+        return None;
+    }
     let read: Option<Vec<&Statement>> = checker.readings[at].statements.iter().map(|read| read.as_ref().ok()).collect();
     let is_value = |member: &Expr| matches!(&member.node, Node::Number(_)) && !member.is_zero();
     let has_decimals = |member: &Expr| {
@@ -113,6 +116,23 @@ fn statements<'c>(checker: &'c Checker<'_>, at: usize) -> Option<Vec<&'c Stateme
     read.filter(|read| {
         let mut members = read.iter().flat_map(|statement| &statement.members);
         !read.is_empty() && !members.any(says_nothing)
+    })
+}
+
+/// Whether a display gives a constraint a name, `g(\rho, z) = \rho^2 - a z = 0`, which stands for something else in other displays.
+fn names_a_constraint(checker: &Checker<'_>, at: usize) -> bool {
+    let displays = &checker.notes.equations;
+    checker.readings[at].statements.iter().flatten().any(|statement| {
+        let [first, .., last] = statement.members.as_slice() else { return false };
+        let Some(id) = first.as_plain_symbol().filter(|_| last.is_null()) else { return false };
+        let entry = checker.model.symbols.entry(id);
+        let others = || checker.readings.iter().enumerate().filter(|(other, _)| *other != at);
+        let is_applied = |place: usize| displays[place].text.contains(&format!("{}(", entry.name));
+        let uses = |reading: &Reading| {
+            let mut members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+            members.any(|member| member.symbols().iter().any(|(other, _)| *other == id))
+        };
+        is_applied(at) && others().any(|(place, reading)| uses(reading) && !is_applied(place))
     })
 }
 

@@ -2,6 +2,7 @@
 //!
 //! Such an integrand is read as a constant. What is concluded from that is no slip of the author.
 
+use crate::formula::symbols::Name;
 use crate::latex::layout::values::{ends_term, is_d, is_integral, parts_of};
 use crate::latex::layout::{Item, Layout, typeset_items};
 use crate::latex::{Macros, names};
@@ -12,28 +13,44 @@ pub(super) fn hides_its_letter(text: &str, macros: &Macros) -> bool {
 }
 
 fn hides(items: &[Item]) -> bool {
-    let is_hidden = |at: usize| {
-        let rest = &items[at + 1..];
-        let end = rest.iter().position(ends_relation).unwrap_or(rest.len());
-        let Some(d) = rest[..end].iter().position(is_d) else { return false };
-        let after = |from: usize| rest[from..].iter().position(|item| !matches!(item.layout, Layout::Space(_)));
-        let Some(letter) = after(d + 1).map(|more| d + 1 + more) else { return false };
-        let Some(name) = names::printed(&rest[letter], None).map(|printed| printed.name) else { return false };
-        // `\int dx\, f` reaches to the end of the term.
-        let is_first = rest[..d].iter().all(|item| matches!(item.layout, Layout::Space(_)));
-        let integrand = match is_first {
-            true => &rest[letter + 1..],
-            false => &rest[..d],
-        };
-        let integrand = match integrand.iter().position(ends_term).filter(|_| is_first) {
-            Some(end) => &integrand[..end],
-            None => integrand,
-        };
-        let mut found = Vec::new();
-        collect(integrand, &mut found);
-        !found.is_empty() && !found.contains(&name)
+    let mut found = Vec::new();
+    collect(items, &mut found);
+    found.iter().any(|integral| !integral.names.is_empty() && !integral.names.contains(&integral.letter))
+}
+
+/// An integral in print: its letter, and the names in its integrand.
+pub(super) struct Integral {
+    pub letter: Name,
+    pub names: Vec<Name>,
+}
+
+/// The integrals in items.
+pub(super) fn collect(items: &[Item], found: &mut Vec<Integral>) {
+    let places = (0..items.len()).filter(|at| is_integral(&items[*at]));
+    found.extend(places.filter_map(|at| integral(&items[at + 1..])));
+    items.iter().flat_map(parts_of).for_each(|part| collect(part, found));
+}
+
+/// The integral of which these items stand behind the sign.
+fn integral(rest: &[Item]) -> Option<Integral> {
+    let end = rest.iter().position(ends_relation).unwrap_or(rest.len());
+    let d = rest[..end].iter().position(is_d)?;
+    let after = |from: usize| rest[from..].iter().position(|item| !matches!(item.layout, Layout::Space(_)));
+    let letter = after(d + 1).map(|more| d + 1 + more)?;
+    let name = names::printed(&rest[letter], None)?.name;
+    // `\int dx\, f` reaches to the end of the term.
+    let is_first = rest[..d].iter().all(|item| matches!(item.layout, Layout::Space(_)));
+    let integrand = match is_first {
+        true => &rest[letter + 1..],
+        false => &rest[..d],
     };
-    (0..items.len()).any(|at| is_integral(&items[at]) && is_hidden(at)) || items.iter().flat_map(parts_of).any(hides)
+    let integrand = match integrand.iter().position(ends_term).filter(|_| is_first) {
+        Some(end) => &integrand[..end],
+        None => integrand,
+    };
+    let mut names = Vec::new();
+    collect_names(integrand, &mut names);
+    Some(Integral { letter: name, names })
 }
 
 fn ends_relation(item: &Item) -> bool {
@@ -41,14 +58,14 @@ fn ends_relation(item: &Item) -> bool {
 }
 
 /// The names in items, but for e.
-fn collect(items: &[Item], found: &mut Vec<crate::formula::symbols::Name>) {
+fn collect_names(items: &[Item], found: &mut Vec<Name>) {
     for item in items {
         match names::printed(item, None) {
             Some(printed) if ["e", "\\pi", "d"].contains(&printed.name.base.as_str()) => {}
             Some(printed) => found.push(printed.name),
             None => {}
         }
-        parts_of(item).into_iter().for_each(|part| collect(part, found));
+        parts_of(item).into_iter().for_each(|part| collect_names(part, found));
     }
 }
 

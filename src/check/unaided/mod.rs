@@ -25,6 +25,7 @@ mod inline;
 mod integrands;
 mod laws;
 mod links;
+mod motion;
 mod nearness;
 mod ordered;
 mod premises;
@@ -173,7 +174,10 @@ fn judged(run: &Run<'_>, claims: &Claims, notes: &Notes, scope: &scope::Scope) -
     };
     let claims = lawful.as_ref().unwrap_or(claims);
     let mut found = with_links(run, claims, notes, scope, judged)?;
-    with_checker(run, claims, notes, |checker| contradictions::weighed(&checker, scope.carried, &mut found))?;
+    with_checker(run, claims, notes, |checker| {
+        motion::weighed(&checker, scope, &mut found)?;
+        contradictions::weighed(&checker, scope.carried, &mut found)
+    })?;
     Ok((found, inferred))
 }
 

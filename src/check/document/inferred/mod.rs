@@ -3,6 +3,7 @@
 //!
 //! Offers a function in each file that adds what it infers to the model. Knows `model`, and LaTeX and notes below it.
 
+pub(crate) mod early_definitions;
 pub(crate) mod hamiltonian;
 pub(crate) mod indices;
 pub(crate) mod integration_constants;

@@ -100,7 +100,7 @@ fn consistent(equation: &Equation, other: &str) -> Equation {
 }
 
 /// A display that another one contradicts, where nobody can tell which of the two is wrong.
-fn contradicted(equation: &Equation, other: &str) -> Equation {
+pub(super) fn contradicted(equation: &Equation, other: &str) -> Equation {
     undecided(equation, format!("({other}) contradicts this, and one of the two is wrong"))
 }
 
@@ -111,7 +111,7 @@ pub(super) fn undecided(equation: &Equation, message: String) -> Equation {
 }
 
 /// A display that contradicts another one, where nobody can tell which of the two is wrong; `repair` is an edit of the other.
-fn open(equation: &Equation, other: &str, repair: Repair) -> Equation {
+pub(super) fn open(equation: &Equation, other: &str, repair: Repair) -> Equation {
     let message = format!("this contradicts ({other}), and one of the two is wrong");
     let finding =
         Finding { verdict: Verdict::Undecided, code: Code::Contradiction, message, ..equation.finding.clone() };

@@ -9,8 +9,9 @@
 
 mod arguments;
 mod cases;
+mod chains;
 mod constants;
-mod differentiated;
+mod doubts;
 pub(super) mod examples;
 mod extrema;
 mod factor;
@@ -20,8 +21,8 @@ mod roots;
 mod slips;
 mod sought;
 mod special_values;
+mod systems;
 pub(super) mod taken;
-mod unclear;
 
 use std::collections::{HashMap, VecDeque};
 use std::sync::OnceLock;
@@ -293,7 +294,7 @@ impl Course<'_, '_> {
         }
         let origin = self.scope.origin_of(at, self.checker.notes.equations.len());
         let words = self.words_before(at, origin);
-        let before = self.premises_before(at, origin);
+        let before = self.premises_before(at, origin, &words.named);
         let sets = premises::sets(&before, &symbols, self.has_rates(at), &words.named);
         let positive = signs::positive(&self.checker.readings[at], &symbols, self.checker.model);
         if let Some(positive) = &positive
@@ -317,6 +318,7 @@ impl Course<'_, '_> {
         }
         if self.rests_on_doubt(at) && !self.is_by_itself(at)
             || self.hides_a_letter(at)
+            || self.hidden_letter(at).is_some()
             || self.is_about_guessed_matrices(at)
         {
             self.take_for_granted(at);

@@ -103,7 +103,7 @@ impl Course<'_, '_> {
             repairs.retain(|repair| repair.verdict == Verdict::Certified);
         }
         // No author means an equation whose terms have different dimensions.
-        repairs.retain(|repair| !dimensions::are_spoilt(checker, at, repair));
+        repairs.retain(|repair| !dimensions::are_spoilt(checker, at, repair) && !self.spoils_its_chain(at, repair));
         if repairs.is_empty() {
             return Ok(None);
         }
@@ -150,7 +150,7 @@ impl Course<'_, '_> {
     }
 
     /// The text of a display with a correction.
-    fn corrected(&self, at: usize, repair: &Repair) -> String {
+    pub(super) fn corrected(&self, at: usize, repair: &Repair) -> String {
         let display = &self.checker.notes.equations[at];
         let span = Span::new(repair.span.start - display.body.start, repair.span.end - display.body.start);
         Edit { span, replacement: repair.replacement.clone(), slip: repair.slip }.applied(&display.text)

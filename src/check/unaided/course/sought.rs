@@ -57,8 +57,9 @@ impl Course<'_, '_> {
     }
 
     /// The relations before a display from which it may follow. Beside a motion, only what is about constants has any.
-    pub(super) fn premises_before(&self, at: usize, origin: usize) -> Vec<Premise> {
+    pub(super) fn premises_before(&self, at: usize, origin: usize, named: &[usize]) -> Vec<Premise> {
         let mut before: Vec<Premise> = self.known.iter().filter(|premise| premise.at < origin).cloned().collect();
+        self.leave_out_replaced(origin, named, &mut before);
         before.extend(self.in_states(at, &before));
         if self.checker.model.system.is_some() && !taken::is_static(self.checker, at) {
             before.clear();

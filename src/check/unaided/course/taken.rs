@@ -12,7 +12,9 @@ use crate::formula::{Kind, Node, Statement, SymbolId};
 impl Course<'_, '_> {
     /// Makes a display that is taken for granted a premise of what comes later.
     pub(super) fn take_for_granted(&mut self, at: usize) {
-        self.take_as_premise(at, &[]);
+        if !self.is_of_another_system(at) {
+            self.take_as_premise(at, &[]);
+        }
     }
 
     /// Makes a display a premise of what comes later; it follows from the displays at some places, perhaps.

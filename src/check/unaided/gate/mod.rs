@@ -124,7 +124,7 @@ pub(super) fn is_frequency(id: SymbolId, model: &Model) -> bool {
 }
 
 /// Whether a symbol is a constant that the Lagrangian does not contain and no formula defines.
-fn is_foreign(id: SymbolId, model: &Model) -> bool {
+pub(super) fn is_foreign(id: SymbolId, model: &Model) -> bool {
     let moves = model.coordinates.iter().any(|coordinate| coordinate.symbol == id);
     let has_meaning = matches!(model.meaning(id), Some(Meaning::Defined(_) | Meaning::System(_)));
     let printed = model.printed_lagrangian.as_ref().and_then(|printed| model.symbols.find(&printed.lagrangian));

@@ -55,7 +55,9 @@ const LOST: usize = 3;
 pub(crate) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
-    let usages = names_of(&notes.equations, &macros);
+    let mut usages = names_of(&notes.equations, &macros);
+    let is_constant = |usage: &Usage| !usage.moves && letters::is_said_to_be_constant(notes, &usage.name);
+    usages.iter_mut().filter(|usage| usage.follows).for_each(|usage| usage.follows = !is_constant(usage));
     let lagrangian = lagrangian::of(notes, &usages, &macros);
     let ordered = ordered::letters(notes, &macros);
     let plain = by_letters(run, notes, (&macros, &usages), lagrangian, &[])?;

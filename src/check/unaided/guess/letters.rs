@@ -38,6 +38,24 @@ pub(super) fn hats_are_directions(notes: &Notes) -> bool {
     !notes.equations.iter().any(|display| operators.iter().any(|mark| display.text.contains(mark)))
 }
 
+/// Words for what keeps its value.
+const CONSTANT: [&str; 6] = ["constant ", "uniform ", "konstante", "constante ", "costante ", "gleichmäßig"];
+
+/// The most characters between such a word and the letter: "a constant deceleration of magnitude $a$".
+const NEAR: usize = 40;
+
+/// Whether a sentence says that a quantity is constant.
+pub(super) fn is_said_to_be_constant(notes: &Notes, name: &Name) -> bool {
+    let text = &notes.source.text;
+    text.match_indices(&format!("${name}$")).any(|(at, _)| {
+        let before: Vec<char> =
+            text[..at].chars().rev().take(NEAR).take_while(|c| !matches!(c, '.' | '$' | ':' | ';')).collect();
+        let before = before.into_iter().rev().collect::<String>().to_lowercase();
+        let is_denied = ["not ", "no ", "non-", "nicht ", "pas "].iter().any(|word| before.contains(word));
+        !is_denied && CONSTANT.iter().any(|word| before.contains(word))
+    })
+}
+
 /// Whether a name is known without a declaration, and is not used as a quantity of the notes either.
 pub(super) fn is_reserved(usage: &Usage) -> bool {
     let is_quantity = match usage.name.base.as_str() {

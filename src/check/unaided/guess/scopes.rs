@@ -83,6 +83,12 @@ impl Outline {
         }
     }
 
+    /// The last display before the `first`-th one that gives a name the formula which this one replaces.
+    fn of_renewed_function(&self, first: usize) -> Option<usize> {
+        let renewed = &self.names.get(first)?.introduced;
+        (0..first).rev().find(|at| self.names[*at].introduced.iter().any(|name| renewed.contains(name)))
+    }
+
     /// The display at which the scope that begins with the `first`-th display ends.
     fn end(&self, first: usize) -> usize {
         let all = self.names.len().min(first + WITHOUT_SECTIONS);
@@ -173,13 +179,25 @@ pub(crate) fn from(run: &Run<'_>, notes: &Notes, first: usize, outline: &Outline
     let mut used: HashSet<&Name> = inside.iter().flat_map(|named| &named.used).collect();
     let moving: HashSet<&Name> = inside.iter().flat_map(|named| &named.moving).collect();
     let mut carried: Vec<usize> = Vec::new();
+    let before = outline.of_renewed_function(first);
     for at in (0..first).rev().take(FAR_BACK) {
         let Named { introduced, used: needs, .. } = &outline.names[at];
         let is_wanted = introduced.iter().any(|name| used.contains(name));
         // A coordinate of the scope is not given by names of another one: φ = θ − θ₀, where the scope has φ̇ and no θ.
         let is_coordinate = introduced.iter().any(|name| moving.contains(name));
         let is_foreign = is_coordinate && !needs.iter().any(|name| !introduced.contains(name) && used.contains(name));
-        if is_wanted && !is_foreign && introduced.iter().all(|name| !known.contains(name)) && carried.len() < CARRIED {
+        // A place r_m that was found with another formula for U(r) is another one with this.
+        let is_place = |name: &Name| {
+            let axis = Name { subscript: Vec::new(), ..name.clone() };
+            !name.subscript.is_empty() && outline.names[first].used.contains(&axis)
+        };
+        let is_of_before = before.is_some_and(|old| at > old) && introduced.iter().any(is_place);
+        if is_wanted
+            && !is_foreign
+            && !is_of_before
+            && introduced.iter().all(|name| !known.contains(name))
+            && carried.len() < CARRIED
+        {
             carried.insert(0, at);
             known.extend(introduced);
             used.extend(needs);

@@ -11,13 +11,18 @@ use crate::notes::Notes;
 
 use crate::check::prose_claims::words::{PASSING, ROOTS_OF};
 use crate::check::unaided::inline::is_inline;
-use crate::check::unaided::prose::words::{ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, SOLUTION, WEAK};
+use crate::check::unaided::prose::words::{
+    ANEW, ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, SOLUTION, WEAK,
+};
 
 /// The most bytes before a display that are taken for its words.
 const LONGEST: usize = 400;
 
 /// The number of displays over which the words of an earlier one hold.
 const FAR_BACK: usize = 8;
+
+/// The most words of a label.
+const LONGEST_LABEL: usize = 3;
 
 /// The most letters of words that say nothing of their own.
 const GOES_ON: usize = 3;
@@ -124,7 +129,14 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
     let is_nearness = |word: &&str| NEARNESS.contains(word) || compares && CONDITION.contains(word);
     let only_nearness =
         announced.is_supposed() && ASSUMPTION.iter().filter(|word| has_word(&sentence, word)).all(is_nearness);
-    Words { announced, only_nearness, other_case: says(OTHER_CASE), named: cited(notes, at, all), connected }
+    let other_case = says(OTHER_CASE) || supposes_anew(all);
+    Words { announced, only_nearness, other_case, named: cited(notes, at, all), connected }
+}
+
+/// Whether the words since the last display put something else in the place of what was supposed: "Suppose now the force is …".
+fn supposes_anew(words: &str) -> bool {
+    let words = words.split_whitespace().map(str::to_lowercase).collect::<Vec<_>>().join(" ");
+    ANEW.iter().any(|phrase| has_word(&words, phrase))
 }
 
 /// Whether the display is an equation for something that is sought: "the turning points are the roots of".
@@ -149,6 +161,15 @@ pub(super) fn sentence(notes: &Notes, at: usize) -> String {
 pub(super) fn words_since_last(notes: &Notes, at: usize) -> String {
     let words = without_comments(&notes.source.text[range(notes, at)]).to_lowercase();
     words.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Whether a heading or a label of a few words stands before a display: "Pendulum:".
+pub(super) fn is_labelled(notes: &Notes, at: usize) -> bool {
+    let all = without_comments(&notes.source.text[range(notes, at)]);
+    let sentence = last_sentence(&all).trim();
+    let Some(label) = sentence.strip_suffix(':') else { return sentence.starts_with('#') };
+    let has_verb = [CONSEQUENCE, ASSUMPTION].concat().iter().any(|word| has_word(&label.to_lowercase(), word));
+    !label.is_empty() && label.split_whitespace().count() <= LONGEST_LABEL && !has_verb
 }
 
 /// What a display is about, if the sentence before it says so: the sphere of "for a sphere".

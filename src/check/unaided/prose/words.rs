@@ -316,6 +316,23 @@ pub(super) const OTHER_CASE: &[&str] = &[
     "hacia abajo",
 ];
 
+/// Phrases that put something else in the place of what was supposed before, for all that comes until the next display.
+pub(super) const ANEW: &[&str] = &[
+    "suppose now",
+    "now suppose",
+    "assume now",
+    "now assume",
+    "suppose instead",
+    "assume instead",
+    "the force is now",
+    // other languages
+    "nehmen wir nun an",
+    "nehmen wir jetzt an",
+    "supposons maintenant",
+    "supongamos ahora",
+    "supponiamo ora",
+];
+
 /// Words that announce the solutions of what was said before.
 pub(super) const SOLUTION: &[&str] = &[
     "solution",

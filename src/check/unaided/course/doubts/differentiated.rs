@@ -16,7 +16,11 @@ use crate::latex::names;
 
 impl Course<'_, '_> {
     /// The finding on a display that does not follow and has such a product.
-    pub(super) fn with_unclear_derivative(&self, at: usize, found: &Equation) -> Option<Equation> {
+    pub(in crate::check::unaided::course) fn with_unclear_derivative(
+        &self,
+        at: usize,
+        found: &Equation,
+    ) -> Option<Equation> {
         let name = self.under_a_derivative(at).into_iter().next()?;
         let message = format!("nothing says whether {name} varies under the derivative, so this was not decided");
         Some(gate::settled(found, (Verdict::Undecided, Code::NotDecided), message))

@@ -1,5 +1,11 @@
 //! Displays that hold, or do not, only by a reading that the author may not have meant: energies without a formula are no
-//! constants, and vectors and matrices are no numbers.
+//! constants, derivatives of what has no formula are not 0, and vectors and matrices are no numbers.
+//!
+//! Offers `unclear`, the finding on such a display. Knows the course, and LaTeX.
+
+mod derivatives;
+mod differentiated;
+mod integrals;
 
 use crate::check::document::inferred::open_energies::is_energy;
 use crate::check::model::meaning::Meaning;
@@ -8,6 +14,7 @@ use crate::check::unaided::gate;
 use crate::check::unaided::ordered::Ordered;
 use crate::check::usage::names_of;
 use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
 use crate::formula::{Expr, Kind, Node, SymbolId, text};
@@ -21,8 +28,17 @@ impl Course<'_, '_> {
     }
 
     /// The finding on a display of which the reading may not be what is meant.
-    pub(super) fn unclear(&self, at: usize, found: &Equation) -> Option<Equation> {
+    pub(in crate::check::unaided::course) fn unclear(&self, at: usize, found: &Equation) -> Option<Equation> {
         let passes = found.finding.verdict.passes() && found.finding.verdict != Verdict::Definition;
+        let passes_in_part = || found.parts.iter().any(|part| is_passed(&part.finding));
+        if (passes || passes_in_part()) && self.rests_on_lost_derivatives(at) {
+            return Some(gate::left_open(found.clone()));
+        }
+        if passes && let Some(letter) = self.rests_on_hidden_letters(at) {
+            let message =
+                format!("nothing says how {letter} depends on the letter of the integral, so this was not decided");
+            return Some(gate::settled(found, (Verdict::Undecided, Code::NotDecided), message));
+        }
         if passes && self.differentiates_an_open_energy(at) {
             return Some(gate::left_open(found.clone()));
         }
@@ -41,6 +57,16 @@ impl Course<'_, '_> {
             letters.join(", ")
         );
         passes.then(|| gate::settled(found, (Verdict::Undecided, Code::NotDecided), message))
+    }
+
+    /// A display, and those before it that give a formula to a name which it uses, through other names too.
+    fn with_definitions(&self, at: usize) -> Vec<usize> {
+        let (checker, model) = (self.checker, self.checker.model);
+        let members = checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        let used: Vec<SymbolId> = members.flat_map(|member| gate::names(member, model)).collect();
+        let gives_one =
+            |place: &usize| checker.readings[*place].introduced.iter().any(|new| used.contains(&new.symbol));
+        (0..at).filter(gives_one).chain([at]).collect()
     }
 
     /// Whether a derivative was read as 0 that is one of an energy for which no display has a formula.
@@ -79,11 +105,16 @@ impl Course<'_, '_> {
 
     /// Whether a display has letters that are guessed to be matrices. Those of another size, or symmetric ones, obey other
     /// equations, so none is called wrong.
-    pub(super) fn is_about_guessed_matrices(&self, at: usize) -> bool {
+    pub(in crate::check::unaided::course) fn is_about_guessed_matrices(&self, at: usize) -> bool {
         let model = self.checker.model;
         let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
         let used: Vec<SymbolId> = members.flat_map(|member| gate::names(member, model)).collect();
         let mut matrices = self.ordered.iter().filter(|letter| !letter.is_vector && letter.range.is_some());
         matrices.any(|letter| model.symbols.find(&letter.name).is_some_and(|(id, _)| used.contains(&id)))
     }
+}
+
+/// Whether a finding is that something holds, and no definition.
+fn is_passed(finding: &Finding) -> bool {
+    finding.verdict.passes() && finding.verdict != Verdict::Definition
 }
