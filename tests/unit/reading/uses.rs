@@ -62,6 +62,7 @@ fn a_factor_elsewhere_is_no_function_before_a_sum() {
         ("x = x(t)", "x = x(t)"),
         ("y = f + f(x)", "y = f + f(x)"),
         ("y = V(x_1 - x_2)", "y = V(x_1 − x_2)"),
+        ("V = V(x_1 - x_2), \\quad L = T - V", "V = V(x_1 − x_2) ¦ L = T − V"),
     ]);
 }
 

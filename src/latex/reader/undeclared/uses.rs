@@ -71,13 +71,20 @@ impl Uses {
     /// `is_part` says that even one name alone is a factor: in a fraction and below a root.
     fn list(&mut self, items: &[Item], is_part: bool) {
         for (at, item) in items.iter().enumerate() {
-            let before = items[..at].iter().rev().find(|item| !is_space(item));
             if let Some(found) = names::printed(item, None) {
+                let before = items[..at].iter().rev().find(|item| !is_space(item));
                 if found.dots > 0 {
                     self.dotted.insert(found.name.clone());
                 }
                 match items.get(at + 1).and_then(parenthesis) {
                     Some((fence, inside)) => {
+                        // `V = V(x_1 - x_2)`
+                        let mut sides = items[..at].iter().rev().filter(|item| !is_space(item));
+                        let is_defined = sides.next().is_some_and(|sign| relation(sign).is_some())
+                            && sides.next().and_then(lone).is_some_and(|side| side.name == found.name);
+                        if is_defined {
+                            self.sure.insert(found.name.clone());
+                        }
                         self.called(&found, item.span.to(fence.span), before, (fence, inside));
                     }
                     None => {
