@@ -111,6 +111,12 @@ impl Kind {
 pub struct Inferred {
     /// The functions, without primes, with their arguments as LaTeX where those are names.
     pub functions: HashMap<Name, Option<String>>,
+    /// The names that are factors somewhere, and nowhere stand before a lone name in parentheses.
+    pub factors: HashSet<Name>,
+    /// The letters that stand above as `1 - x`, and so are exponents.
+    pub exponents: HashSet<String>,
+    /// Whether i has a dot somewhere, so that it is no constant.
+    pub i_varies: bool,
     /// Whether d before a letter is a differential.
     pub differentials: bool,
     /// Whether δ before a letter is a variation.

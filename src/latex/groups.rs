@@ -1,4 +1,5 @@
-//! What authors write in groups that set nothing: digits in threes, `10\,472`, and a delimiter in braces, `{\bigl (}`.
+//! What authors write in groups that set nothing: digits in threes, `10\,472`, a delimiter in braces, `{\bigl (}`, and the d of a
+//! derivative, `\frac{{d}^2 x}{{d}t^2}`.
 
 use super::lexer::{Space, Token, TokenKind};
 
@@ -7,8 +8,8 @@ pub(super) fn without_groups(tokens: Vec<Token>) -> Vec<Token> {
     let mut found: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while at < tokens.len() {
-        if let Some((delimiter, length)) = lone_delimiter(&tokens, at) {
-            found.push(delimiter);
+        if let Some((token, length)) = lone_delimiter(&tokens, at).or_else(|| braced_d(&tokens, at)) {
+            found.push(token);
             at += length;
             continue;
         }
@@ -47,6 +48,23 @@ fn divides_thousands(tokens: &[Token], at: usize) -> bool {
             starts && touches && tokens.get(at + 4).is_some_and(|token| token.kind == TokenKind::Digit('.'))
         }
         _ => false,
+    }
+}
+
+/// The d in braces at the beginning of other braces, with the number of tokens.
+fn braced_d(tokens: &[Token], at: usize) -> Option<(Token, usize)> {
+    let is_first = at.checked_sub(1).is_some_and(|before| tokens[before].kind == TokenKind::Open);
+    match &tokens[at..] {
+        [open, letter, close, next, ..]
+            if is_first
+                && open.kind == TokenKind::Open
+                && letter.kind == TokenKind::Letter('d')
+                && close.kind == TokenKind::Close
+                && next.kind != TokenKind::Close =>
+        {
+            Some((letter.clone(), 3))
+        }
+        _ => None,
     }
 }
 

@@ -13,6 +13,8 @@
 //!
 //! A name that is a function in one place is one everywhere. Vectors are told by their markup alone.
 
+use std::collections::HashSet;
+
 use crate::formula::symbols::{Inferred, Name, Symbols};
 use crate::formula::text;
 
@@ -25,13 +27,18 @@ use super::names;
 use super::primed_names;
 use super::reader::items::{differential, is_integral, is_minus_one, is_transpose, whole_number};
 use super::reader::structure;
-use super::reader::undeclared::coefficient_d;
+use super::reader::undeclared::{coefficient_d, uses, vectors};
 use super::rows::relation;
 
 /// Records in an open symbol table what the items of a display show.
 pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
     let is_abstract = symbols.inferred.abstractly;
-    let mut evidence = Evidence { is_abstract, time: symbols.time.clone(), ..Evidence::default() };
+    let found = uses::of(items);
+    symbols.inferred.factors = found.factors();
+    symbols.inferred.i_varies = found.has_dot("i");
+    symbols.inferred.exponents = found.exponents;
+    let factors = symbols.inferred.factors.clone();
+    let mut evidence = Evidence { is_abstract, time: symbols.time.clone(), factors, ..Evidence::default() };
     evidence.list(items);
     evidence.at_the_same_place();
     let factors_d = coefficient_d::of(items);
@@ -76,6 +83,7 @@ pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
         symbols.inferred.variations = true;
     }
     symbols.inferred.matrices.extend(matrices);
+    symbols.inferred.matrices.extend(vectors::matrices(items));
     if is_abstract {
         structure::note(items, &mut symbols.inferred);
         structure::note_acting(items, &mut symbols.inferred);
@@ -109,6 +117,8 @@ impl Marks {
 struct Evidence {
     is_abstract: bool,
     time: Option<Name>,
+    /// The names that are factors somewhere, and so no functions by a guess.
+    factors: HashSet<Name>,
     /// The functions, each with its arguments as they are printed where they are names.
     functions: Vec<(Name, Option<String>)>,
     primed: Vec<Name>,
@@ -288,11 +298,15 @@ impl Evidence {
         }
         let Some((delimiter, inside)) = next.filter(|next| !is_unit_in_brackets(next)).and_then(fence) else { return };
         let is_usual = ["f", "G", "u", "\\psi", "\\Psi", "\\Omega"].contains(&name.base.as_str());
+        // `F (x_2 - x_1)`: where a space stands before the parenthesis of a sum, the letter may be a factor.
+        let is_apart = next.is_some_and(|next| item.span.end < next.span.start) && !name.base.starts_with('\\');
+        let is_factor = is_apart || self.factors.contains(&name);
         // `V_m(1 - t)`: what has an index is a value there, and no function of a number.
         let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
         let is_number = |item: &Item| matches!(item.layout, Layout::Number(_));
-        let is_value = !name.subscript.is_empty() && inside.iter().any(is_number) && inside.iter().any(is_sign);
-        if delimiter == Delimiter::Round && !is_value {
+        let is_value = !name.subscript.is_empty() && inside.iter().any(is_number) && inside.iter().any(is_sign)
+            || name.subscript == ["0"] && !inside.iter().skip(1).any(is_sign);
+        if delimiter == Delimiter::Round && !is_value && !is_factor {
             let inside =
                 inside.iter().filter_map(|item| names::printed(item, None)).map(|found| found.name.to_string());
             self.possible.push((name.clone(), is_usual, inside.collect()));
@@ -357,6 +371,7 @@ impl Evidence {
         let is_usual = self.is_abstract
             && structure::is_function_letter(&name, inside)
             && delimiter == Delimiter::Round
+            && !is_factor
             && !is_powered;
         let is_remainder = is_usual || is_distribution || ["O", "\\mathcal{O}"].contains(&name.base.as_str());
         // `r(t + \Delta t) = …`: a whole side that is taken at another time.

@@ -35,6 +35,7 @@ fn is_old(token: &Token) -> bool {
         "\\displaylines",
         "\\arg",
         "\\require",
+        "\\textbf",
     ];
     forms.contains(&name.as_str()) || switch(name).is_some()
 }
@@ -91,6 +92,11 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
             Some((open, end)) => braced(tokens, at, (open, end), into),
             None => at + 1,
         },
+        // `\textbf{u}(t)`: a letter alone is a name.
+        "\\textbf" if matches!(argument(at + 1), Some((open, end)) if is_letter(&tokens[open + 1..end])) => {
+            into.push(Token { kind: TokenKind::Command("\\mathbf".to_owned()), span: token.span });
+            at + 1
+        }
         "\\require" => argument(at + 1).map_or(at + 1, |(_, end)| end + 1),
         "\\arg" => argument_of_an_extremum(tokens, at, into),
         "\\stackrel" | "\\overset" => stacked(tokens, at, argument, into),
@@ -363,6 +369,10 @@ fn words(tokens: &[Token]) -> usize {
         Some(word) if word + 1 == end => end + 1,
         _ => 0,
     }
+}
+
+fn is_letter(tokens: &[Token]) -> bool {
+    matches!(tokens, [Token { kind: TokenKind::Letter(_), .. }])
 }
 
 fn is_relation(tokens: &[Token]) -> bool {

@@ -20,7 +20,7 @@ use super::pieces::{Piece, Printed, pieces, without_ranges};
 use super::reader::Reader;
 use super::reader::algebra::evidence;
 use super::reader::structure::{note_levels, note_possible_indices};
-use super::reader::undeclared::note_marks;
+use super::reader::undeclared::{note_marks, unclear_name, uses, vectors};
 
 /// The result of reading a display.
 #[derive(Clone, Debug, Default)]
@@ -66,6 +66,11 @@ fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
     if symbols.open {
         symbols.inferred.active = true;
         infer(&items, symbols);
+        let unclear = unclear_name(&items).or_else(|| uses::of(&items).unclear());
+        if let Some(fault) = unclear.or_else(|| vectors::unclear_product(&items)) {
+            reading.statements.push(Err(fault));
+            return reading;
+        }
     }
     if symbols.guessed
         && let Some((span, name)) = evidence::taken_for_a_number(&items, symbols)

@@ -37,6 +37,8 @@ mod roles;
 mod scopes;
 #[path = "reading/structure.rs"]
 mod structure;
+#[path = "reading/uses.rs"]
+mod uses;
 
 use onshell::formula::symbols::Components;
 use onshell::formula::{Kind, SymbolId, Symbols, text};

@@ -104,6 +104,20 @@ fn is(token: &Token, command: &str) -> bool {
     matches!(&token.kind, TokenKind::Command(name) if name == command)
 }
 
+/// A formula that is an equation in bold type as a whole, without the command: the type emphasizes it, and marks no vectors.
+pub(super) fn without_emphasis(mut tokens: Vec<Token>) -> Vec<Token> {
+    let is_blank = |token: &Token| matches!(token.kind, TokenKind::Space(_) | TokenKind::Other('.' | ','));
+    let Some(start) = tokens.iter().position(|token| !is_blank(token)) else { return tokens };
+    let is_bold = ["\\mathbf", "\\boldsymbol"].iter().any(|name| is(&tokens[start], name));
+    let Some((open, close)) = group(&tokens, start + 1).filter(|_| is_bold) else { return tokens };
+    let is_equation = tokens[open + 1..close].iter().any(|token| token.kind == TokenKind::Other('='));
+    if is_equation && tokens[close + 1..].iter().all(is_blank) {
+        tokens.remove(close);
+        tokens.drain(start..=open);
+    }
+    tokens
+}
+
 /// A formula without the signs that set it as one: `$x$`, `$$x$$`, `\(x\)`, `\[x\]`.
 pub(super) fn without_delimiters(mut tokens: Vec<Token>) -> Vec<Token> {
     let is_space = |token: &Token| matches!(token.kind, TokenKind::Space(_));

@@ -7,7 +7,7 @@ use super::super::groups::without_groups;
 use super::super::lexer::{Token, TokenKind, tokens};
 use super::super::macros::Macros;
 use super::super::normalize::normalized;
-use super::boxes::{without_boxes, without_delimiters};
+use super::boxes::{without_boxes, without_delimiters, without_emphasis};
 use super::item::Item;
 use super::lengths::with_plain_spaces;
 use super::marks::with_plain_marks;
@@ -27,7 +27,7 @@ pub(crate) fn typeset_items(text: &str, macros: &Macros) -> Result<Vec<Item>, Fa
             .code(Code::TooLarge)
             .help("split it into several equations"));
     }
-    let tokens = macros.expand(without_delimiters(tokens(text)))?;
+    let tokens = macros.expand(without_emphasis(without_delimiters(tokens(text))))?;
     let tokens = without_groups(with_plain_spaces(with_ellipses(tokens)));
     let items =
         layout(&normalized(with_units(with_names(with_commands(with_plain_marks(without_boxes(tokens)))))), text.len());

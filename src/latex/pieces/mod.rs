@@ -11,6 +11,7 @@ mod asides;
 mod conditions;
 mod continuation;
 mod piece;
+mod premises;
 mod ranges;
 mod regions;
 mod remarks;

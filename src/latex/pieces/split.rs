@@ -12,6 +12,7 @@ use super::asides;
 use super::conditions::{begins_condition, ends_condition, is_comparison, is_pause};
 use super::continuation::{continues, unclear_continuation};
 use super::piece::{Link, Piece};
+use super::premises;
 use super::remarks::{self, is_aside, is_remark};
 use super::separators::{ends_a_word, joins, says_constant, separates, spelled_constant};
 use super::value_lists;
@@ -21,6 +22,8 @@ pub(super) fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>
     let unclear = pieces.last().and_then(|before| unclear_continuation(&row, before, pieces, is_abstract));
     let current = if continues(&row, pieces.last()) { pieces.pop() } else { None };
     let items = asides::opened(row.items);
+    let (premise, items) = if current.is_none() { premises::divided(&items) } else { (Vec::new(), items) };
+    let first = pieces.len();
     let splitter = Splitter {
         at: remarks::name_of_the_row(&items),
         items: &items,
@@ -33,6 +36,9 @@ pub(super) fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>
         starts_row: true,
     };
     splitter.run();
+    for piece in pieces.iter_mut().skip(first).filter(|piece| piece.links.len() > 1 && !premise.is_empty()) {
+        piece.conditions.push(premise.clone());
+    }
     if let (Some(fault), Some(last)) = (unclear, pieces.last_mut()) {
         last.fault = Some(fault);
     }

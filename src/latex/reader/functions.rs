@@ -256,6 +256,10 @@ impl Reader<'_> {
             if varies && items.get(run.end).is_some_and(|item| self.is_time_in_parentheses(item)) {
                 run.end += 1;
             }
+            if self.is_value_of_a_function(&run, items, start) {
+                run.end += 1;
+                break;
+            }
             if printed.dots > 0 || is_angle {
                 break;
             }
@@ -278,6 +282,21 @@ impl Reader<'_> {
             run.stands_alone = true;
         }
         Ok(run)
+    }
+
+    /// Whether all there is of an argument is a function of letters with its parenthesis, and the term ends behind it or a sign
+    /// or a space stands there: `\ln p(x)`.
+    fn is_value_of_a_function(&self, run: &Run, items: &[Item], start: usize) -> bool {
+        let [(_, name)] = run.symbols.as_slice() else { return false };
+        let is_call = matches!(items.get(run.end).map(|item| &item.layout), Some(Layout::Fence(Delimiter::Round, _)));
+        let ends = |item: &Item| {
+            matches!(item.layout, Layout::Space(_) | Layout::Other('+' | '-')) || joint(item) == Some(Joint::CDot)
+        };
+        self.symbols.open
+            && is_call
+            && run.end == start + 1
+            && self.is_inferred_function(name)
+            && items.get(run.end + 1).is_none_or(ends)
     }
 
     /// Whether a differential begins here: an upright d before a name, or an italic one where d is no factor.

@@ -79,6 +79,10 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
                 false => "write an equation",
             })
         }
+        _ if is_relation(name) => Fault::unsupported(span, format!("{name} is not supported here"))
+            .help("write a relation outside of all braces, parentheses and commands"),
+        "\\times" | "\\cdot" => Fault::unsupported(span, format!("a script on {name} is not supported"))
+            .help("leave the script out, or write the product as a function of its two factors"),
         "\\AsciiMath" => Fault::unsupported(span, "this is AsciiMath, which is not read").help(
             "write LaTeX, with [latexmath] before the block, or with the line “:stem: latexmath” at the top of the document",
         ),
@@ -151,6 +155,11 @@ fn in_latex(c: char) -> Option<&'static str> {
         '\\' => "a command after the backslash, or remove it",
         _ => return None,
     })
+}
+
+/// Whether a command compares two formulas.
+fn is_relation(name: &str) -> bool {
+    ["\\leq", "\\geq", "\\neq", "\\equiv", "\\approx", "\\propto", "\\simeq", "\\ll", "\\gg"].contains(&name)
 }
 
 /// Whether a command prints an arrow.

@@ -152,6 +152,8 @@ impl Reader<'_> {
                     "\\perp",
                     "\\parallel",
                     "\\sharp",
+                    "\\wedge",
+                    "\\vee",
                     "\\pm",
                     "\\mp",
                 ]
@@ -218,6 +220,10 @@ impl Reader<'_> {
         let is_frame =
             found.len() == marks.len() && found.len() == 1 && found[0].name.base.starts_with(char::is_uppercase);
         let is_symbol = matches!(base.node, Node::Symbol { .. } | Node::Apply(..));
+        if self.symbols.open && is_symbol && names_two_places(sup) {
+            return Err(unclear(span, sup, "a label or a power")
+                .help("write a label as a subscript; write a power as \\exp(b \\ln a)"));
+        }
         if self.symbols.open && is_symbol && are_indexed && (is_row || is_frame) {
             return Err(unclear(span, sup, "an index, a label or a power")
                 .help("write an index as a subscript; write a power as \\exp(b \\ln a), or declare the letters in a claims file"));
@@ -253,6 +259,8 @@ impl Reader<'_> {
             {
                 Ok(())
             }
+            // `p^x (1 - p)^{1 - x}`
+            true if matches!(letters.as_slice(), [only] if self.symbols.inferred.exponents.contains(only)) => Ok(()),
             true => is_unlikely_index(self.name_of(base), base, &letters, sup, span),
             false => Ok(()),
         }
@@ -348,6 +356,15 @@ fn is_unlikely_index(
         )),
         false => Ok(()),
     }
+}
+
+/// Whether two places stand side by side, between which something is taken: `V^{Px_1}`, `V^{\infty x_1}`.
+pub(super) fn names_two_places(sup: &Item) -> bool {
+    let marks: Vec<&Item> = contents(sup).iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let [first, last] = marks.as_slice() else { return false };
+    let is_place =
+        first.layout == Layout::Command("\\infty".to_owned()) || matches!(first.layout, Layout::Letter('A'..='Z'));
+    is_place && names::printed(last, None).is_some_and(|found| found.sup.is_none() && !found.name.subscript.is_empty())
 }
 
 fn is_dagger(item: &Item) -> bool {

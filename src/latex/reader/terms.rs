@@ -8,10 +8,11 @@ use super::super::layout::{Item, Layout, contents, typed};
 use super::super::names;
 use super::functions::written_out;
 use super::items::{
-    extent, function_head, is_any_integral, is_big_product, is_big_sum, is_integral, is_limit, is_numeric_item, joint,
+    Joint, extent, function_head, is_any_integral, is_big_product, is_big_sum, is_integral, is_limit, is_numeric_item,
+    joint,
 };
 use super::state::{Read, Reader};
-use super::words::are_no_words;
+use super::words::{are_no_words, run_of_letters};
 
 impl Reader<'_> {
     /// A sum of terms with signs; all of `items`. `end` is the place of a fault if there are no items.
@@ -20,6 +21,7 @@ impl Reader<'_> {
         are_no_words(items, self.symbols)?;
         if self.symbols.open || self.symbols.guessed {
             is_no_italic_unit(items)?;
+            is_no_spelled_unit(items)?;
         }
         if self.symbols.open {
             is_no_error_of_measurement(items)?;
@@ -266,6 +268,58 @@ fn is_no_error_of_measurement(items: &[Item]) -> Read<()> {
                 .help("write the value alone"))
         }
         None => Ok(()),
+    }
+}
+
+/// Rejects `9.8 m/s^2`, `1000 kg/m^3`: letters of units after a number are no quantities as a rule.
+fn is_no_spelled_unit(items: &[Item]) -> Read<()> {
+    const UNITS: [&str; 32] = [
+        "m", "s", "kg", "K", "N", "J", "W", "V", "A", "C", "T", "Pa", "Hz", "nm", "cm", "mm", "km", "eV", "keV", "MeV",
+        "GeV", "kPa", "MPa", "kJ", "kW", "ms", "mol", "rad", "GHz", "MHz", "kHz", "mA",
+    ];
+    /// What is hardly ever a product after a small number either.
+    const SURE: [&str; 5] = ["kg", "Hz", "Pa", "eV", "mol"];
+    let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
+    let Some(start) = items.iter().position(|item| !is_space(item)) else { return Ok(()) };
+    let Layout::Number(digits) = &items[start].layout else { return Ok(()) };
+    // `1.1 \times 10^7`
+    let is_power = |item: &Item| matches!(&item.layout, Layout::Scripts { nucleus, .. } if matches!(nucleus.layout, Layout::Number(_)));
+    let figures = items[start..].iter().take_while(|item| {
+        is_space(item) || matches!(item.layout, Layout::Number(_)) || is_power(item) || joint(item).is_some()
+    });
+    let mut at = start + figures.count();
+    // `300 \cdot K` is a product.
+    if items[start..at].iter().rfind(|item| !is_space(item)).is_some_and(|last| joint(last).is_some()) {
+        return Ok(());
+    }
+    let is_large = digits.contains('.') || digits.len() > 1;
+    let mut found: Option<(String, Span)> = None;
+    let mut is_sure = is_large;
+    // Whether a unit may stand here: `0.5 C V^2` is a product.
+    let mut goes_on = true;
+    while at < items.len() {
+        match run_of_letters(items, at) {
+            Some((word, span, length)) if UNITS.contains(&word.as_str()) => {
+                let has_index = matches!(&items[at + length - 1].layout, Layout::Scripts { sub, primes, .. } if sub.is_some() || *primes > 0);
+                let is_product = found.as_ref().is_some_and(|(first, _)| ["kg", "N", "J"].contains(&first.as_str()))
+                    && ["m", "s", "K"].contains(&word.as_str());
+                if has_index || !(goes_on || is_product) {
+                    return Ok(());
+                }
+                goes_on = false;
+                is_sure |= SURE.contains(&word.as_str());
+                found.get_or_insert((word, span));
+                at += length;
+            }
+            None if is_space(&items[at]) => at += 1,
+            None if joint(&items[at]) == Some(Joint::Slash) => (goes_on, at) = (true, at + 1),
+            _ => return Ok(()),
+        }
+    }
+    match found {
+        Some((word, span)) if is_sure => Err(Fault::ambiguous(span, format!("{word} may be a unit or a quantity"))
+            .help(format!("write \\mathrm{{{word}}} for the unit, and \\cdot before a quantity"))),
+        _ => Ok(()),
     }
 }
 

@@ -32,11 +32,11 @@ const NUMBERS: [&str; 18] =
 const LONGEST_FACTORS: usize = 2;
 
 /// Words that are a whole run.
-const WORDS: [&str; 57] = [
+const WORDS: [&str; 59] = [
     "and", "or", "of", "to", "so", "no", "for", "the", "with", "where", "if", "is", "in", "it", "not", "let", "then",
     "when", "else", "all", "any", "are", "from", "rad", "deg", "sum", "mol", "avg", "net", "tot", "kin", "pot", "vel",
     "pos", "acc", "old", "new", "out", "KE", "PE", "ME", "GPE", "EPE", "NTU", "FWHM", "RMS", "SNR", "COP", "EMF", "SG",
-    "CoV", "MSE", "DOF", "GWP", "MTF", "SFC", "LHV",
+    "CoV", "MSE", "DOF", "GWP", "MTF", "SFC", "LHV", "emf", "pH",
 ];
 
 /// Energies that are a whole run.
@@ -47,18 +47,11 @@ const ENERGIES: [&str; 5] = ["KE", "PE", "ME", "GPE", "EPE"];
 pub(super) fn are_no_words(items: &[Item], symbols: &Symbols) -> Read<()> {
     let mut at = 0;
     while at < items.len() {
-        let Some((mut word, mut span)) = start(&items[at]) else {
+        let Some((word, span, length)) = run_of_letters(items, at) else {
             at += 1;
             continue;
         };
-        while matches!(items[at].layout, Layout::Letter(_))
-            && let Some((next, place)) = items.get(at + 1).and_then(start)
-            && (place.start == span.end || place == span)
-        {
-            word.push_str(&next);
-            span = span.to(place);
-            at += 1;
-        }
+        at += length - 1;
         // `tr(A)^2`: the trace, or t times r(A).
         let is_before_parenthesis = items.get(at + 1).is_some_and(|next| match &next.layout {
             Layout::Scripts { nucleus, .. } => is_parenthesis(nucleus),
@@ -81,6 +74,21 @@ pub(super) fn are_no_words(items: &[Item], symbols: &Symbols) -> Read<()> {
         is_no_word(&word, span, symbols)?;
     }
     Ok(())
+}
+
+/// The letters that begin at an item with no space between them, their place, and the number of items.
+pub(super) fn run_of_letters(items: &[Item], at: usize) -> Option<(String, Span, usize)> {
+    let (mut word, mut span) = items.get(at).and_then(start)?;
+    let mut last = at;
+    while matches!(items[last].layout, Layout::Letter(_))
+        && let Some((next, place)) = items.get(last + 1).and_then(start)
+        && (place.start == span.end || place == span)
+    {
+        word.push_str(&next);
+        span = span.to(place);
+        last += 1;
+    }
+    Some((word, span, last + 1 - at))
 }
 
 /// The letter that an item is or begins with, and its place.

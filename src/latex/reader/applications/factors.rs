@@ -1,11 +1,13 @@
 //! Parentheses after a name that hold a factor by what stands in or beside them.
 
 use crate::formula::SymbolId;
+use crate::formula::symbols::Kind;
 
 use super::super::super::layout::{Delimiter, Item, Layout};
 use super::super::super::names;
+use super::super::items::joint;
 use super::super::state::Reader;
-use super::inside::{parenthesis, relation_or_comma};
+use super::inside::{has_rate, parenthesis, relation_or_comma};
 
 impl Reader<'_> {
     /// Whether braces hold a sum, `D\{a + b\}`, or a coefficient stands before brackets around parentheses, `a[(b + c) + d]`.
@@ -28,6 +30,37 @@ impl Reader<'_> {
                 }
                 _ => false,
             }
+    }
+
+    /// Whether a parenthesis is a factor by what the name is in the display: a matrix, a factor beside rates, or a value at the
+    /// beginning before a sum that begins with a number; or a change is raised to a power after a name with a subscript.
+    pub(super) fn is_a_product_by_its_kind(&self, id: SymbolId, inside: &[&Item], is_powered: bool) -> bool {
+        let name = &self.symbols.entry(id).name;
+        let inferred = &self.symbols.inferred;
+        // `f(\dot x^2 + \dot y^2)` beside f \dot t^2.
+        let is_factor = inferred.factors.contains(name) && inside.iter().any(|item| has_rate(item));
+        // `V_m (\Delta\alpha)^2`
+        let is_change = matches!(inside, [Item { layout: Layout::Command(mark), .. }, _] if mark == "\\Delta");
+        let is_squared = is_powered && is_change && !name.subscript.is_empty();
+        // `N_0(1 - \lambda t)`
+        let begins = matches!(inside, [Item { layout: Layout::Number(_), .. }, sign, ..] if self.is_sign(sign));
+        let is_value = name.subscript == ["0"] && begins;
+        name.primes == 0 && (is_factor || is_squared || is_value || inferred.matrices.contains(&name.base))
+    }
+
+    /// Whether a vector stands before a sum of vectors, `\mathbf{E}(\mathbf{r} - \mathbf{a})`: it is a function or a matrix, since
+    /// a product of vectors has a sign.
+    pub(super) fn is_before_a_sum_of_vectors(&self, id: SymbolId, inside: &[&Item]) -> bool {
+        let is_vector = |item: &&Item| {
+            let found = names::printed(item, self.branch).filter(|found| found.sup.is_none());
+            found.is_some_and(|found| ["\\vec{", "\\mathbf{"].iter().any(|mark| found.name.base.contains(mark)))
+        };
+        let is_product = |item: &&Item| joint(item).is_some();
+        let terms: Vec<&[&Item]> = inside.split(|item| self.is_sign(item)).filter(|term| !term.is_empty()).collect();
+        let has_vector = |term: &[&Item]| term.iter().filter(|item| is_vector(item)).count() == 1;
+        self.symbols.entry(id).kind == Kind::Vector
+            && terms.len() > 1
+            && terms.iter().all(|term| has_vector(term) && !term.iter().any(is_product))
     }
 
     /// Whether a parenthesis with more than a letter stands between a wave function with a star and the same without.

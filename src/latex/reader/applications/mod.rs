@@ -21,6 +21,7 @@
 
 mod factors;
 mod inside;
+mod values;
 
 use crate::formula::SymbolId;
 use crate::formula::symbols::{Entry, Kind, Name};
@@ -116,6 +117,9 @@ impl Reader<'_> {
         if let Some(found) = self.at_an_instant(expr, sup, fence, cursor)? {
             return Ok(Some(found));
         }
+        if let Some(found) = self.of_an_event(expr, id, sup, fence, cursor)? {
+            return Ok(Some(found));
+        }
         let is_comma = |item: &&Item| matches!(item.layout, Layout::Other(',' | ';'));
         // `y = k(0) + c` puts in a number.
         let is_constant = ["k", "c", "b", "l"].contains(&self.symbols.entry(id).name.base.as_str());
@@ -171,28 +175,6 @@ impl Reader<'_> {
         }
     }
 
-    /// `x(t = 0)`: the value where the argument is the one that is given. No factor holds an equation.
-    fn at_an_instant(
-        &mut self,
-        expr: &Expr,
-        sup: Option<&Item>,
-        fence: &Item,
-        cursor: &mut usize,
-    ) -> Read<Option<Expr>> {
-        let Layout::Fence(Delimiter::Round, inside) = &fence.layout else { return Ok(None) };
-        let sides: Vec<&[Item]> = inside.split(|item| item.layout == Layout::Other('=')).collect();
-        let ([argument, value], None) = (sides.as_slice(), sup) else { return Ok(None) };
-        let is_name = |item: &Item| names::printed(item, None).is_some_and(|found| found.sup.is_none());
-        let mut solid = argument.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
-        if !solid.next().is_some_and(is_name) || solid.next().is_some() {
-            return Ok(None);
-        }
-        *cursor += 1;
-        let (left, right) = (self.sum(argument, fence.span)?, self.sum(value, fence.span)?);
-        let span = expr.span.to(fence.span);
-        Ok(Some(self.template("#(#=#)", vec![expr.clone(), left, right], span)))
-    }
-
     /// Takes a name out of the real numbers, since it stands before its argument.
     fn is_shown_as_a_function(&mut self, id: SymbolId) {
         let entry = self.symbols.entry_mut(id);
@@ -219,7 +201,7 @@ impl Reader<'_> {
             return false;
         }
         let is_usual = is_function(entry)
-            || FIELDS.contains(&entry.name.base.as_str())
+            || FIELDS.contains(&entry.name.base.as_str()) && entry.name.subscript != ["0"]
             || self.is_inferred_function(&entry.name)
             || super::structure::is_function_letter(&entry.name, inside);
         let is_term = !inside.iter().skip(1).any(|item| self.is_sign(item) || relation_or_comma(item));
@@ -229,6 +211,7 @@ impl Reader<'_> {
             nucleus.layout == Layout::Command("\\partial".to_owned())
         });
         is_usual
+            && !self.symbols.inferred.factors.contains(&entry.name)
             && !is_derivative
             && is_term
             && !inside.is_empty()
@@ -378,6 +361,12 @@ impl Reader<'_> {
             self.symbols.open && name.base == "\\gamma" && inside.iter().skip(1).any(|item| self.is_sign(item));
         if is_lorentz {
             return Ok(());
+        }
+        if self.symbols.open && self.is_a_product_by_its_kind(id, &inside, is_powered) {
+            return Ok(());
+        }
+        if self.symbols.open && self.is_before_a_sum_of_vectors(id, &inside) {
+            return ambiguous();
         }
         if self.shifts_the_time(&inside) && (entry.varies && !entry.steady || self.symbols.open) {
             return ambiguous();

@@ -128,6 +128,12 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
         || base.starts_with("\\mathcal{");
     // U_0 is the value of U at a place, and a factor: `U_0(1 - x/a)`, `V_0(x - a)^2`.
     let is_value = name.subscript == ["0"];
+    // `hf(1 + z)`: a sum that begins with a number is a factor as often.
+    let starts_with_number = inside.first().is_some_and(|item| matches!(item.layout, Layout::Number(_)));
+    let is_latin = base.len() == 1 && base != "O" && !is_legendre && !is_spherical;
+    if is_latin && is_sum && (starts_with_number || is_value && ["f", "q", "x", "y"].contains(&base)) {
+        return false;
+    }
     is_known && name.primes == 0
         || of_a_place.contains(&base)
             && !is_value

@@ -118,6 +118,15 @@ impl Reader<'_> {
         Ok(None)
     }
 
+    /// An event, of which a probability is a function: `X \leq x \mid Y = y`.
+    pub(in super::super) fn event(&mut self, items: &[Item], place: Span) -> Read<Expr> {
+        let divides = |item: &Item| relation(item).is_some() || states(item) || item.layout == Layout::Other('|');
+        match items.iter().any(|item| relation(item).is_some()) {
+            true => self.divided(items, &divides, place),
+            false => self.sum(items, place),
+        }
+    }
+
     /// The same within a term; `None` if all its signs are · and ×.
     pub(in super::super) fn infix_product(&mut self, items: &[Item], place: Span) -> Read<Option<Expr>> {
         // Between vectors ∧ is their product; between differentials and other letters it is that of forms.

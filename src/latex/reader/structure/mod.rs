@@ -11,6 +11,7 @@
 //! | `brackets` | states, mean values, commutators, Poisson brackets, tuples, intervals, sets |
 //! | `scripts` | indices, marks and labels above a symbol |
 //! | `operators` | derivatives by anything, ∂_μ and ∇ as operators |
+//! | `indicators` | `\mathbb{1}[x > 0]` |
 //! | `extrema` | `\min_x` and its kin, before a sum |
 //! | `named_functions` | `\max(a, b)` and other functions with a name; the power of their value |
 //! | `evidence` | which letters are indices, and which functions |
@@ -28,6 +29,7 @@ mod acting;
 mod brackets;
 mod evidence;
 mod extrema;
+mod indicators;
 mod indices;
 mod infix;
 mod levels;

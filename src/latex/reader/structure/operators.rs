@@ -20,6 +20,9 @@ impl Reader<'_> {
         if let Some(found) = self.braced(items, cursor)? {
             return Ok(Some(found));
         }
+        if let Some(found) = self.indicator(items, cursor) {
+            return Ok(Some(found));
+        }
         if let Some(found) = self.operator_at_a_place(items, cursor)? {
             return Ok(Some(found));
         }

@@ -11,7 +11,7 @@ use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
 use super::super::items::{is_minus_one, is_transpose, whole_number};
 use super::super::state::{Read, Reader};
-use super::super::superscripts::is_value;
+use super::super::superscripts::{is_value, names_two_places};
 use super::printed;
 
 impl Reader<'_> {
@@ -31,7 +31,7 @@ impl Reader<'_> {
                 // Nobody writes the powers x⁰ and x¹.
                 is_sign(sup) && !(is_in_parentheses(sup) && is_value(base))
                     || !is_number && matches!(whole_number(sup), Some(0 | 1))
-                    || !is_number && is_word(sup)
+                    || !is_number && (is_word(sup) || names_two_places(sup))
                     || !is_number && self.is_index(sup)
                     || self.is_component(base, sup)
                     || self.is_certain_level(self.name_of(base).0, sup)

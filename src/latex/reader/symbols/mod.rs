@@ -232,6 +232,7 @@ impl Reader<'_> {
             && (!self.is_abstract_index(name) || is_before_root)
             && name.subscript.is_empty()
             && ["i", "\\imath", "\\mathrm{i}"].contains(&name.base.as_str())
+            && !(name.base == "i" && self.symbols.inferred.i_varies)
         {
             return Err(Fault::ambiguous(span, "i may be √−1 or a symbol").help(
                 "for √−1 write \\mathrm{i}, or declare i as \"imaginary unit\" in a claims file; for a symbol, use another letter",
@@ -414,8 +415,9 @@ fn is_argument_of_an_operator(inside: &[Item]) -> bool {
                 || base.starts_with(char::is_uppercase)
         })
     };
+    let has_state = inside.iter().any(|item| matches!(item.layout, Layout::Fence(Delimiter::Ket, _)));
     let begins_with_a_name = inside.first().is_some_and(|first| names::printed(first, None).is_some());
-    begins_with_a_name && inside.iter().skip(1).any(is_sign) && !inside.iter().any(has_mark)
+    begins_with_a_name && !has_state && inside.iter().skip(1).any(is_sign) && !inside.iter().any(has_mark)
 }
 
 /// The names in a parenthesis that holds nothing else, `(x, t)`: what stands before it is a function of them.

@@ -92,7 +92,10 @@ impl Reader<'_> {
             *cursor += 1;
             let mut arguments = Vec::new();
             for given in inside.split(|item| matches!(item.layout, Layout::Other(',' | ';'))) {
-                arguments.push(self.sum(given, place)?);
+                arguments.push(match self.is_abstract() && is_probability(&printed.name) {
+                    true => self.event(given, place)?,
+                    false => self.sum(given, place)?,
+                });
             }
             // What stands above the name, a power or an order, is shown there.
             let base = match &mark {
@@ -136,6 +139,11 @@ impl Reader<'_> {
             |item: &Item| names::printed(item, None).is_some_and(|found| !found.name.subscript.is_empty());
         starts_with_number && is_sum && inside.iter().any(has_subscript) && !text.contains(argument.as_str())
     }
+}
+
+/// Whether a name is that of a probability.
+pub(in super::super) fn is_probability(name: &Name) -> bool {
+    ["P", "\\mathbb{P}", "\\mathrm{P}", "\\mathrm{Pr}"].contains(&name.base.as_str()) && name.primes == 0
 }
 
 /// Whether a name has the markup of a vector.

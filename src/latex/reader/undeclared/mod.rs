@@ -15,14 +15,19 @@
 //! | `bound` | the letter of an integral that stands again behind it, which is refused |
 //! | `no_factors` | what stands beside a factor and is none, which is refused |
 //! | `neighbours` | factors that a person reads otherwise, which are refused |
+//! | `uses` | names that are factors in one place and seem to be functions in another |
+//! | `spelled_names` | names of several letters that look like a product, which are refused |
+//! | `vectors` | dots between bold letters of which one is a matrix |
 //! | `bars` | `\left. … \right|_{x=a}`, `(\partial S/\partial V)_T` |
 //!
 //! Offers methods of the reader, and `bar`. Knows the layout, the names and the state of the reader.
 
 pub(super) use bars::bar;
+pub(super) use functions::is_probability;
 pub(in super::super) use marks::has_coefficient;
 pub(in super::super) use marks::note_marks;
 pub(super) use neighbours::unclear_reach;
+pub(in super::super) use spelled_names::unclear_name;
 
 mod bars;
 pub(super) mod bound;
@@ -33,7 +38,10 @@ mod integrals;
 mod marks;
 mod neighbours;
 mod no_factors;
+mod spelled_names;
 mod sums;
+pub(in super::super) mod uses;
+pub(in super::super) mod vectors;
 
 use crate::formula::symbols::{Kind, Name, Operator};
 use crate::formula::tree::{Expr, Node};

@@ -1,0 +1,43 @@
+//! The condition before an arrow: `x > 0 \Rightarrow |x| = x` says nothing about x, but what holds where x > 0.
+//!
+//! So does `\text{if } x = 0 \text{ then } y = 0`. In a derivation what stands before the arrow holds too. It is a condition where it is a comparison, or where "for all" stands
+//! after what follows.
+
+use crate::formula::tree::Relation;
+
+use super::super::layout::{Item, Layout};
+use super::super::rows::{is_significant, relation};
+use super::separators::separates;
+
+/// The items of a condition at the beginning of a row, and the items that it concerns; no items where there is none.
+pub(super) fn divided<'a>(items: &[&'a Item]) -> (Vec<&'a Item>, Vec<&'a Item>) {
+    let word = |item: &Item| match &item.layout {
+        Layout::Text(word) => Some(word.trim_matches([',', ' ']).to_ascii_lowercase()),
+        _ => None,
+    };
+    let is = |item: &Item, wanted: &str| word(item).is_some_and(|word| word == wanted);
+    if let Some(first) = items.iter().position(|item| is_significant(&item)).filter(|first| is(items[*first], "if"))
+        && let Some(then) = items.iter().position(|item| is(item, "then"))
+    {
+        return (items[first..then].to_vec(), items[then + 1..].to_vec());
+    }
+    let is_arrow = |item: &&Item| matches!(&item.layout, Layout::Command(name) if name == "\\Rightarrow");
+    let whole = || (Vec::new(), items.to_vec());
+    let mut arrows = items.iter().enumerate().filter(|(_, item)| is_arrow(item));
+    let (Some((at, _)), None) = (arrows.next(), arrows.next()) else { return whole() };
+    let (before, after) = (&items[..at], &items[at + 1..]);
+    let relations: Vec<Relation> = before.iter().filter_map(|item| relation(item)).collect();
+    let [only] = relations.as_slice() else { return whole() };
+    let is_comparison = matches!(
+        only,
+        Relation::Less | Relation::Greater | Relation::LessEqual | Relation::GreaterEqual | Relation::NotEqual
+    );
+    let is_for_all = after.iter().any(|item| matches!(&item.layout, Layout::Command(name) if name == "\\forall"));
+    let is_whole = !before.iter().any(|item| separates(item) && is_significant(&item));
+    let starts_with_a_side = before.iter().find(is_significant).is_some_and(|first| relation(first).is_none());
+    let states = after.iter().any(|item| relation(item).is_some());
+    match is_whole && starts_with_a_side && states && (is_comparison || is_for_all) {
+        true => (before.to_vec(), after.to_vec()),
+        false => whole(),
+    }
+}
