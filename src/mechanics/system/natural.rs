@@ -43,7 +43,7 @@ impl System {
             for changed in 0..parameters.len() {
                 let with = |factor: f64| {
                     let mut all = parameters.clone();
-                    all[changed] = all[changed] * RunningError::new(factor);
+                    all[changed] *= RunningError::new(factor);
                     at(&times(0.0), &all)
                 };
                 let (flipped, doubled) = (with(-1.0), with(2.0));
