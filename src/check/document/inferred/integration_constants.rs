@@ -12,7 +12,7 @@ use crate::source::{Fault, Missing};
 use crate::check::document::unreadable::faults;
 use crate::check::model::Model;
 use crate::check::model::claim::is_equality;
-use crate::check::model::meaning::{Meaning, Variable};
+use crate::check::model::meaning::{Meaning, Quantity, Variable};
 
 /// The largest number of constants that a solution adds.
 const MOST: usize = 6;
@@ -78,7 +78,12 @@ fn solved_coordinate(
     model: &Model,
 ) -> Option<SymbolId> {
     let [left, rest @ ..] = statement.members.as_slice() else { return None };
-    let coordinate = left.as_plain_symbol().filter(|id| model.is_coordinate(*id))?;
+    // The solution may be that of a name for a formula of the coordinates: `u = x_1 + x_2`.
+    let has_formula = |id: SymbolId| {
+        let all = model.coordinates.iter().map(|q| q.symbol);
+        matches!(model.meaning(id), Some(Meaning::Defined(_))) && model.symbol_depends_on(id, &all.collect::<Vec<_>>())
+    };
+    let coordinate = left.as_plain_symbol().filter(|id| model.is_coordinate(*id) || has_formula(*id))?;
     // `x_1 = -x_3 = f(t)` gives each of them.
     let is_another = |member: &Expr| match &member.node {
         Node::Sum(terms) => matches!(terms.as_slice(), [only] if is_a_coordinate(&only.expr, model)),
@@ -101,7 +106,8 @@ fn is_a_coordinate(member: &Expr, model: &Model) -> bool {
 fn is_known(id: SymbolId, reading: &Reading, model: &Model) -> bool {
     let all_known = |formula: &Expr| formula.symbols().iter().all(|(id, _)| is_known(*id, reading, model));
     match model.meaning(id) {
-        Some(Meaning::Constant(_) | Meaning::Time) => true,
+        // A momentum may keep its value. Where it does not, the solution is refuted or not decided.
+        Some(Meaning::Constant(_) | Meaning::Time | Meaning::System(Quantity::Momentum(_))) => true,
         Some(Meaning::Defined(formula)) => all_known(formula),
         None => reading.introduced.iter().any(|introduced| introduced.symbol == id && all_known(&introduced.formula)),
         _ => false,
