@@ -81,10 +81,18 @@ impl Checker<'_> {
             let read = |(_, statement): (usize, Result<Statement, _>)| statement;
             reading.statements = statements.into_iter().map(read).collect();
         }
-        let options = Options { points: FEWEST.min(self.options.points), explain: false, ..self.options };
-        let judge = Checker { model, options, units: None, ..*self };
-        let parts = judge.parts((at, display.body.start), &reading, claim, &shown(display))?;
-        Ok(parts.into_iter().map(|part| part.finding.verdict).collect())
+        let judged = |points: usize| -> Result<Vec<Verdict>> {
+            let options = Options { points, explain: false, ..self.options };
+            let judge = Checker { model, options, units: None, ..*self };
+            let parts = judge.parts((at, display.body.start), &reading, claim, &shown(display))?;
+            Ok(parts.into_iter().map(|part| part.finding.verdict).collect())
+        };
+        let few = judged(FEWEST.min(self.options.points))?;
+        // A root may have a value at few of the states.
+        match few.contains(&Verdict::Undecided) && !few.contains(&Verdict::Refuted) {
+            true => judged(self.options.points),
+            false => Ok(few),
+        }
     }
 }
 

@@ -121,6 +121,7 @@ pub(super) fn infer(
     } else {
         text.split_once(':').map_or(text.as_str(), |(_, rest)| rest)
     };
+    let differentiated = printed;
     let printed = &without_differentials(printed);
     let distances = distances(names, printed);
     let is_printed = |name: &str| {
@@ -133,6 +134,19 @@ pub(super) fn infer(
     };
     let lasting = &case.lasting;
     case.throughout.retain(|(of, _)| !is_printed(of) || lasting.contains(of) && !prints_rate(of));
+    // A derivative by a coordinate is taken before this has its value.
+    let is_by = |of: &str| !is_printed(of) && names.has_name(differentiated, of);
+    let at_the_end = case.throughout.extract_if(.., |(of, _)| is_by(of));
+    case.assume.extend(at_the_end.map(|(of, value)| format!("{of} = {value}")));
+    // Of the two signs of a root the one of the rate is meant.
+    let left = differentiated.split('=').next().unwrap_or_default().trim();
+    if left.starts_with("\\dot")
+        && names.names_in(left).len() == 1
+        && is_root(differentiated)
+        && !case.throughout.is_empty()
+    {
+        case.assume.push(format!("{left} > 0"));
+    }
     // That something does not change says nothing of its value.
     let is_rate = |of: &str| of.starts_with("\\dot") && !printed.contains("\\dot");
     let is_a_start = |of: &str| of.contains("(0)") && distances.is_empty();
@@ -186,6 +200,12 @@ fn distances<'n>(names: &'n NotesNames<'_>, printed: &str) -> Vec<&'n str> {
         is_name && !formula.contains("\\dot") && names.coordinates().any(|(one, _)| is_a_term(&one.name.value, formula))
     };
     said.chain(defined).filter(is_of_it).map(|(_, formula)| formula).collect()
+}
+
+/// Whether one side of an equality is a root, and nothing but it.
+fn is_root(printed: &str) -> bool {
+    printed.split('=').nth(1).is_some_and(|right| right.trim().starts_with("\\sqrt"))
+        && printed.matches('=').count() == 1
 }
 
 /// Whether a name by itself is one of several terms of a formula.
@@ -302,7 +322,8 @@ impl Case {
         let moving = coordinate(names, member).is_some() || names.coordinates().any(|(one, _)| rate(one));
         if moving {
             // A display that gives it a formula defines it.
-            if names::parse(value).is_some() && !names.is_declared(value) && !names.is_defined(value) {
+            let is_new = !KNOWN.contains(&value) && !names.is_declared(value) && !names.is_defined(value);
+            if is_new && names::parse(value).is_some() {
                 self.constants.push((value.to_owned(), Range::Any));
             }
             self.throughout.retain(|(of, _)| of != member);

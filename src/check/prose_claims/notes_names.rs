@@ -40,6 +40,13 @@ impl<'a> NotesNames<'a> {
         self.free[at]
     }
 
+    /// Whether a claim says of a display that the system rests there, or moves steadily.
+    pub fn is_said_to_stay(&self, at: usize) -> bool {
+        let id = self.notes.equations[at].id();
+        let mut claimed = self.claims.equations.iter().filter(|(address, _)| Some(address.text.as_str()) == id);
+        claimed.any(|(_, claim)| claim.equilibrium.is_some())
+    }
+
     /// The sentence before a display.
     pub fn before(&self, at: usize) -> Sentence {
         Sentence::before(self.notes, at)

@@ -42,7 +42,7 @@ pub(super) fn complete(
 ) -> bool {
     let Some(found) = found else { return false };
     let names = NotesNames::of(claims, notes);
-    let places = places::infer(&names);
+    let places = places::known(&names);
     let formula_of = |name: &str| formula_of(&names, found, name);
     let is_refuted_here = |at: usize| {
         let id = notes.equations[at].id();
@@ -118,7 +118,7 @@ pub(super) fn cases(
     let dropped = |at: usize| dropped.iter().find(|one| one.displays.contains(&at));
     let mut open: Vec<usize> =
         (0..notes.equations.len()).filter(|at| names.is_free(*at) && (fails(*at) || dropped(*at).is_some())).collect();
-    let places = places::infer(&names);
+    let places = places::known(&names);
     let formula_of = |name: &str| formula_of(&names, found, name);
     let options = Options { explain: false, ..run.options };
     let brief = Run { options, ..*run };

@@ -7,10 +7,10 @@
 //! secular equation is compared as a whole: its two sides must differ by a factor without ω from the determinant of all coordinates, or
 //! of coordinates that nothing couples to the others. So it has all roots, and no others.
 
+use crate::Result;
 use crate::code::Code;
 use crate::formula::{Expr, Node, SymbolId};
 use crate::source::Span;
-use crate::Result;
 
 use super::expressions::{equal, lagrangian, partial, product, symbol};
 use crate::check::certificate::formulas;
@@ -48,6 +48,11 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
     // A frequency exists where the place is stable, and is claimed there.
     if found.code == Code::DomainDiffers {
         let holds = context.verified("", "a root that is not real where the place is not stable");
+        found = Finding { points: found.points, tried: found.tried, ..holds };
+    }
+    // In a case of two coordinates the determinant may vanish where the case holds, and nowhere else.
+    if found.code == Code::RestatesHypothesis {
+        let holds = context.verified("", "a determinant that is 0 in this case only");
         found = Finding { points: found.points, tried: found.tried, ..holds };
     }
     match found.verdict {
