@@ -245,6 +245,7 @@ impl Checker<'_> {
         let printed = self.solutions();
         let shares = |(_, known): &(usize, Solution)| known.shares_a_constant_of_integration(link, self.model);
         solution::is_an_orbit(link, self.model)
+            || solution::is_of_a_name(link, self.model)
             || printed.iter().any(shares)
             || self.is_zero_on(link, &printed.iter().map(|(_, known)| known).collect::<Vec<_>>())
     }

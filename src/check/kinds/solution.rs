@@ -262,7 +262,7 @@ fn is_implicit(link: &Link, model: &Model) -> bool {
 }
 
 /// Whether a link may print the motion of a name with a formula: the length `s = 4a\\sin(\\theta/2)` of an arc as `s(t) = s_0\\cos\\omega t`.
-fn is_of_a_name(link: &Link, model: &Model) -> bool {
+pub(crate) fn is_of_a_name(link: &Link, model: &Model) -> bool {
     let moves = |of: &Expr| model.coordinates.iter().any(|q| model.depends_on(of, &[q.symbol]));
     let is_named = link.lhs.as_plain_symbol().is_some_and(|id| matches!(model.meaning(id), Some(Meaning::Defined(_))));
     is_named

@@ -78,12 +78,7 @@ fn solved_coordinate(
     model: &Model,
 ) -> Option<SymbolId> {
     let [left, rest @ ..] = statement.members.as_slice() else { return None };
-    // The solution may be that of a name for a formula of the coordinates: `u = x_1 + x_2`.
-    let has_formula = |id: SymbolId| {
-        let all = model.coordinates.iter().map(|q| q.symbol);
-        matches!(model.meaning(id), Some(Meaning::Defined(_))) && model.symbol_depends_on(id, &all.collect::<Vec<_>>())
-    };
-    let coordinate = left.as_plain_symbol().filter(|id| model.is_coordinate(*id) || has_formula(*id))?;
+    let coordinate = left.as_plain_symbol().filter(|id| model.is_coordinate(*id))?;
     // `x_1 = -x_3 = f(t)` gives each of them.
     let is_another = |member: &Expr| match &member.node {
         Node::Sum(terms) => matches!(terms.as_slice(), [only] if is_a_coordinate(&only.expr, model)),
