@@ -77,6 +77,8 @@ mod steps;
 mod symmetries;
 #[path = "checks/terms.rs"]
 mod terms;
+#[path = "checks/textbook_systems.rs"]
+mod textbook_systems;
 #[path = "checks/units.rs"]
 mod units;
 #[path = "checks/values.rs"]

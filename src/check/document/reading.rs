@@ -66,6 +66,15 @@ pub(crate) fn read_all(
     };
     pending.define_what_is_ready(model);
     let prose = Prose::of(notes);
+    // The system is what the first display says of it, even if that needs a name of the prose.
+    let waits = |at: usize, readings: &[Option<Reading>], model: &Model| {
+        let lagrangian = model.printed_lagrangian.as_ref().map(|printed| printed.lagrangian.to_string());
+        let hamiltonian = model.printed_hamiltonian.as_ref().map(|printed| printed.hamiltonian.to_string());
+        lagrangian.or(hamiltonian).is_some_and(|name| {
+            let begins = |at: usize| name_search::is_the_first_side(&texts[at], &name, &model.macros);
+            begins(at) && (0..at).any(|before| readings[before].is_none() && !open.contains(&before) && begins(before))
+        })
+    };
     // What was added gives no name that the notes give, not even for a special case.
     let own = 0..notes.added_from.unwrap_or(readings.len());
     let added = own.end..readings.len();
@@ -74,7 +83,7 @@ pub(crate) fn read_all(
         let mut read_some = |range: &Range<usize>, of_a_case: bool, model: &mut Model| {
             let mut progress = false;
             for at in range.clone().filter(|at| is_last(*at) == of_a_case) {
-                if readings[at].is_none() {
+                if readings[at].is_none() && !waits(at, &readings, model) {
                     readings[at] = pending.read(&texts[at], assigned[at], model);
                     if readings[at].is_some() {
                         pending.define_what_is_ready(model);

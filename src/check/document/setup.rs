@@ -191,5 +191,5 @@ pub(crate) fn without_open_energies<'n>(claims: &Claims, notes: &'n Notes) -> Co
         .map(|name| name.value.as_str())
         .collect();
     let is_declared = |name: &Name| named.iter().any(|known| name_search::same(known, &name.to_string()));
-    inferred::open_energies::without_names(notes, &macros, &is_declared)
+    inferred::open_energies::without_names(notes, &macros, claims.guesses.is_some(), &is_declared)
 }

@@ -245,6 +245,7 @@ impl Checker<'_> {
         let printed = self.solutions();
         let shares = |(_, known): &(usize, Solution)| known.shares_a_constant_of_integration(link, self.model);
         solution::is_an_orbit(link, self.model)
+            || solution::is_of_a_name(link, self.model)
             || printed.iter().any(shares)
             || self.is_zero_on(link, &printed.iter().map(|(_, known)| known).collect::<Vec<_>>())
     }
@@ -258,6 +259,14 @@ impl Checker<'_> {
             return Ok(true);
         }
         Ok(solution::check(printed, &others, &quick)?.verdict.holds())
+    }
+
+    /// The verdict on a printed solution.
+    fn verdict_on(&self, printed: &Solution, context: &Context<'_>) -> Result<Verdict> {
+        let quick = Context { options: Options { explain: false, ..context.options }, ..*context };
+        let others = self.solutions_beside(Some(printed.coordinate), context);
+        let others: Vec<Solution> = others.into_iter().map(|(_, solution)| solution).collect();
+        Ok(solution::check(printed, &others, &quick)?.verdict)
     }
 
     /// The finding that a formula printed for the Lagrangian gives the same motion as its definition, if it does.
@@ -424,6 +433,9 @@ impl Checker<'_> {
         if let Some(implicit) = solution::implicit(link, context)? {
             return Ok(implicit);
         }
+        if let Some(named) = solution::by_name(link, context)? {
+            return Ok(named);
+        }
         let mut beside = self.solutions_beside(None, context);
         if self.model.system.is_none() {
             // Laws move each coordinate on its own, unless they contain several.
@@ -445,7 +457,12 @@ impl Checker<'_> {
                 all.iter().filter(|other| other.coordinate != solution.coordinate).cloned().collect();
             let solves = match self.model.system {
                 Some(_) => solution::is_on_shell(solution, &others, context)?,
-                None => Some(self.is_solved_by(solution, context)?),
+                // What is not decided is not refuted.
+                None => match self.verdict_on(solution, context)? {
+                    verdict if verdict.holds() => Some(true),
+                    Verdict::Refuted => Some(false),
+                    _ => None,
+                },
             };
             match solves {
                 Some(true) => {}

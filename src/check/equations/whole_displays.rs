@@ -5,7 +5,7 @@
 //! again in a model in which the name has the other formula.
 
 use crate::Result;
-use crate::formula::{Expr, Statement};
+use crate::formula::{Expr, Node, Statement};
 use crate::latex::{DefinedSymbol, Reading};
 use crate::notes::claims::Claim;
 
@@ -81,10 +81,18 @@ impl Checker<'_> {
             let read = |(_, statement): (usize, Result<Statement, _>)| statement;
             reading.statements = statements.into_iter().map(read).collect();
         }
-        let options = Options { points: FEWEST.min(self.options.points), explain: false, ..self.options };
-        let judge = Checker { model, options, units: None, ..*self };
-        let parts = judge.parts((at, display.body.start), &reading, claim, &shown(display))?;
-        Ok(parts.into_iter().map(|part| part.finding.verdict).collect())
+        let judged = |points: usize| -> Result<Vec<Verdict>> {
+            let options = Options { points, explain: false, ..self.options };
+            let judge = Checker { model, options, units: None, ..*self };
+            let parts = judge.parts((at, display.body.start), &reading, claim, &shown(display))?;
+            Ok(parts.into_iter().map(|part| part.finding.verdict).collect())
+        };
+        let few = judged(FEWEST.min(self.options.points))?;
+        // A root may have a value at few of the states.
+        match few.contains(&Verdict::Undecided) && !few.contains(&Verdict::Refuted) {
+            true => judged(self.options.points),
+            false => Ok(few),
+        }
     }
 }
 
@@ -96,10 +104,30 @@ pub(crate) struct WholeDisplays<'s> {
 }
 
 impl WholeDisplays<'_> {
-    /// Those without the displays of these names, which only repeat the definition.
+    /// Those without the displays of these names, which only repeat the definition: they hold with any multiple of it too.
     pub(crate) fn without(mut self, names: &[String]) -> Self {
-        self.displays.retain(|at| !names.contains(&format!("({})", shown(&self.checker.notes.equations[*at]))));
+        let double = self.model_with(&twice(&self.introduced.formula));
+        let repeats = |at: &usize| {
+            names.contains(&format!("({})", shown(&self.checker.notes.equations[*at])))
+                && double.as_ref().is_none_or(|model| !self.fails(*at, model))
+        };
+        let kept = self.displays.iter().copied().filter(|at| !repeats(at)).collect();
+        self.displays = kept;
         self
+    }
+
+    /// The model in which the name has another formula; `None` if that contains the name.
+    fn model_with(&self, formula: &Expr) -> Option<Model> {
+        let mut model = self.checker.model.clone();
+        let is_possible = !model.depends_on(formula, &[self.introduced.symbol]);
+        is_possible.then(|| model.redefine(self.introduced.symbol, formula.clone()));
+        is_possible.then_some(model)
+    }
+
+    /// Whether a display fails in a model. A derivative that a formula does not have, a root that has no value, and states that do not exist
+    /// are failures too.
+    fn fails(&self, at: usize, model: &Model) -> bool {
+        !self.checker.verdicts_with(at, model).is_ok_and(|all| all.iter().all(|verdict| verdict.passes()))
     }
 
     /// Whether there are none.
@@ -114,17 +142,11 @@ impl Approximations for WholeDisplays<'_> {
     }
 
     fn detect(&self, mutant: &Expr) -> bool {
-        let checker = self.checker;
-        if checker.model.depends_on(mutant, &[self.introduced.symbol]) {
-            return true;
-        }
-        let mut model = checker.model.clone();
-        model.redefine(self.introduced.symbol, mutant.clone());
-        // A derivative that the other formula does not have, a root that has no value, and states that do not exist are failures
-        // too.
-        let fails = |at: &usize| {
-            !checker.verdicts_with(*at, &model).is_ok_and(|all| all.iter().all(|verdict| verdict.passes()))
-        };
-        self.displays.iter().any(fails)
+        self.model_with(mutant).is_none_or(|model| self.displays.iter().any(|at| self.fails(*at, &model)))
     }
+}
+
+/// Two times a formula.
+fn twice(formula: &Expr) -> Expr {
+    Expr::new(Node::Product(vec![Expr::integer(2, formula.span), formula.clone()]), formula.span)
 }

@@ -33,6 +33,9 @@ const DERIVATIVES: u8 = 4;
 /// When the system's mass matrix is singular.
 pub(crate) fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     let found = where_it_starts(link, context)?;
+    if found.code == Code::NoState {
+        return Ok(by_the_energy_alone(link, context)?.unwrap_or(found));
+    }
     if !found.verdict.holds() {
         return Ok(found);
     }
@@ -54,6 +57,27 @@ pub(crate) fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     Ok(found)
+}
+
+/// The finding on a motion of one coordinate that starts at an end of its range, where no state is sampled, as at θ = 0 of (0, π/2): its
+/// energy decides where a formula has no branch.
+fn by_the_energy_alone(link: &Link, context: &Context<'_>) -> Result<Option<Finding>> {
+    if context.model.coordinates.len() != 1 || has_a_branch(link) {
+        return Ok(None);
+    }
+    let Some(found) = energy_of_start::check(link, context)? else { return Ok(None) };
+    Ok(match found.verdict {
+        verdict if verdict.holds() => {
+            let message = "holds for each motion with the energy of this start";
+            let why = "the energy of the start, in place of the start itself";
+            Some(Finding { points: found.points, tried: found.tried, ..context.verified(message, why) })
+        }
+        Verdict::Refuted => {
+            let message = "the two sides differ on a motion with the energy of this start".to_owned();
+            Some(Finding { message, code: Code::SidesDiffer, ..found })
+        }
+        _ => None,
+    })
 }
 
 /// Whether a printed solution has the position and the velocity of a start that the hypotheses of the context give at the time 0.

@@ -12,7 +12,7 @@ use num_dual::Dual;
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Node, SymbolId, Value, text};
+use crate::formula::{Expr, Node, Relation, SymbolId, Value, text};
 use crate::scalar::{RunningError, Series};
 
 use crate::check::judge::identity;
@@ -20,7 +20,7 @@ use crate::check::kinds::printed_solution::{Solution, constants_of_integration};
 use crate::check::kinds::solution_of_laws;
 use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
-use crate::check::model::meaning::Variable;
+use crate::check::model::meaning::{Meaning, Quantity, Variable};
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
 use crate::check::sample::setting::FEWEST;
@@ -64,7 +64,8 @@ pub(crate) fn check(solution: &Solution, others: &[Solution], context: &Context<
         return Ok(Finding { message: solved(solution, &name, context.model), ..finding });
     }
     // Without acceleration both sides of the claim are 0, which says nothing about factors in an identity.
-    if exact == Some(true) && finding.code == Code::SideAlwaysZero {
+    let is_uniform = exact == Some(true) || exact.is_none() && context.model.system.is_none() && solution.order > 1;
+    if is_uniform && finding.code == Code::SideAlwaysZero {
         let message = format!("solves the equations of motion for {name}");
         let points = FEWEST.min(context.options.points);
         let found = context.verified(message, "the acceleration is 0");
@@ -258,6 +259,66 @@ fn is_implicit(link: &Link, model: &Model) -> bool {
         && !model.contains_time(&link.lhs)
         && model.contains_time(&link.rhs)
         && !link.rhs.symbols().iter().any(moves)
+}
+
+/// Whether a link may print the motion of a name with a formula: the length `s = 4a\\sin(\\theta/2)` of an arc as `s(t) = s_0\\cos\\omega t`.
+pub(crate) fn is_of_a_name(link: &Link, model: &Model) -> bool {
+    let moves = |of: &Expr| model.coordinates.iter().any(|q| model.depends_on(of, &[q.symbol]));
+    let is_named = link.lhs.as_plain_symbol().is_some_and(|id| matches!(model.meaning(id), Some(Meaning::Defined(_))));
+    is_named
+        && model.has_motion()
+        && is_equality(link.relation)
+        && link.free.is_empty()
+        && moves(&link.lhs)
+        && !moves(&link.rhs)
+        && model.contains_time(&link.rhs)
+        && !model.contains_time(&link.lhs)
+}
+
+/// Whether a link may print a coordinate by the time and by momenta that keep their values: `\\phi(t) = \\phi_0 + \\frac{p_\\phi}{mR^2}t`.
+///
+/// # Errors
+/// When no state can be drawn.
+fn is_by_momenta(link: &Link, context: &Context<'_>) -> Result<bool> {
+    let model = context.model;
+    let is_momentum = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::System(Quantity::Momentum(_))));
+    let is_known = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Time));
+    let names: Vec<SymbolId> = link.rhs.symbols().into_iter().map(|(id, _)| id).collect();
+    let is_one = link.lhs.as_plain_symbol().is_some_and(|id| model.is_coordinate(id));
+    let fits = is_one
+        && is_equality(link.relation)
+        && link.free.is_empty()
+        && model.contains_time(&link.rhs)
+        && names.iter().any(is_momentum)
+        && names.iter().all(|id| is_momentum(id) || is_known(id));
+    for id in names.iter().filter(|id| fits && is_momentum(id)) {
+        let rate = Expr::new(Node::Symbol { id: *id, indices: Vec::new(), dots: 1 }, link.rhs.span);
+        let zero = Expr::integer(0, link.rhs.span);
+        let keeps = Link { lhs: rate, relation: Relation::Equal, rhs: zero, free: Vec::new() };
+        let on_shell = Context { hypotheses: &[], on_shell: Some(true), ..context.quick() };
+        let ensemble = on_shell.ensemble(on_shell.mode(true, &[&keeps.lhs]), false, FEWEST)?;
+        if !run(&keeps, &ensemble.states).is_ok_and(|found| found.failure.is_none() && found.points > 0) {
+            return Ok(false);
+        }
+    }
+    Ok(fits)
+}
+
+/// The finding that a link gives the motion of a name with a formula, or of a coordinate by conserved momenta; `None`, if it prints no such
+/// relation or the motion does not stay on it.
+///
+/// # Errors
+/// When the system's mass matrix is singular.
+pub(crate) fn by_name(link: &Link, context: &Context<'_>) -> Result<Option<Finding>> {
+    let order = match is_of_a_name(link, context.model) {
+        true => 1,
+        // The momentum in the formula says what the velocity is.
+        false if is_by_momenta(link, context)? => 0,
+        false => return Ok(None),
+    };
+    let name = text::plain(&link.lhs.as_plain_symbol().map_or_else(String::new, |id| context.model.name(id)));
+    let found = stays_on(link, order, context)?;
+    Ok(found.map(|finding| Finding { message: format!("solves the equations of motion for {name}"), ..finding }))
 }
 
 /// The finding that a link gives the motion without being solved for the coordinate; `None`, if it prints no such relation or the motion does

@@ -13,8 +13,8 @@ use crate::notes::claims::{Claim, Declaration, Range, Spanned};
 use crate::check::document::inferred::prose::body_of;
 
 use super::constants::KNOWN;
-use super::notes_names::NotesNames;
-use super::places::is_value_of;
+use super::notes_names::{NotesNames, without_differentials};
+use super::places::{Place, is_value_of, says_that_it_lasts};
 use super::words::{PASSING, Sentence};
 use super::{ProseClaim, spanned};
 
@@ -66,6 +66,9 @@ impl Scope {
 struct Case {
     /// Values at all times, each with what has it.
     throughout: Vec<(String, String)>,
+    /// The rates that the words before the display itself keep at their values: in "steady motion, $\\dot\\theta = 0$", or with the
+    /// acceleration 0 beside them.
+    lasting: Vec<String>,
     /// Other equations and inequalities.
     assume: Vec<String>,
     /// A limit.
@@ -76,8 +79,15 @@ struct Case {
     constants: Vec<(String, Range)>,
 }
 
-/// The claim that a display is about the case that the words of a scope state; `None` where they state none.
-pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<ProseClaim> {
+/// The claim that a display is about the case that the words of a scope state; `None` where they state none. `places` are values of
+/// coordinates at which the system stays, and `formula_of` gives the last formula that holds for a name.
+pub(super) fn infer(
+    names: &NotesNames<'_>,
+    at: usize,
+    scope: Scope,
+    places: &[Place],
+    formula_of: &dyn Fn(&str) -> Option<String>,
+) -> Option<ProseClaim> {
     let mut case = Case::default();
     let first = match scope {
         Scope::Section => section_start(names.notes, at),
@@ -94,6 +104,7 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
             case.turns(names, display, words);
             case.stops(names, at, words);
             if display == at {
+                case.keeps_rates(names, words);
                 case.small = order_of(names, words).or(case.small);
                 case.is_unaccelerated(names, at, words);
             }
@@ -102,6 +113,7 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
             case.add(names, (words, &inside(&names.notes.equations[display].text)));
         }
     }
+    case.stays_at(names, at, places);
     // Who says that a name has a value writes the value in its place. A condition on a name that is printed would hide slips.
     let text = &names.notes.equations[at].text;
     let printed = if inside(text).is_empty() {
@@ -109,17 +121,43 @@ pub(super) fn infer(names: &NotesNames<'_>, at: usize, scope: Scope) -> Option<P
     } else {
         text.split_once(':').map_or(text.as_str(), |(_, rest)| rest)
     };
+    let differentiated = printed;
+    let printed = &without_differentials(printed);
     let distances = distances(names, printed);
     let is_printed = |name: &str| {
         let name = without_dots(name.split('(').next().unwrap_or(name).trim());
         names.has_name(printed, name) || distances.iter().any(|formula| is_a_term(name, formula))
     };
-    case.throughout.retain(|(of, _)| !is_printed(of));
+    let prints_rate = |of: &str| {
+        let dots = names.moving_names_in(printed);
+        dots.iter().any(|name| name_search::same(&name.to_string(), without_dots(of)))
+    };
+    let lasting = &case.lasting;
+    case.throughout.retain(|(of, _)| !is_printed(of) || lasting.contains(of) && !prints_rate(of));
+    // A derivative by a coordinate is taken before this has its value.
+    let is_by = |of: &str| !is_printed(of) && names.has_name(differentiated, of);
+    let at_the_end = case.throughout.extract_if(.., |(of, _)| is_by(of));
+    case.assume.extend(at_the_end.map(|(of, value)| format!("{of} = {value}")));
+    // Of the two signs of a root the one of the rate is meant.
+    let left = differentiated.split('=').next().unwrap_or_default().trim();
+    if left.starts_with("\\dot")
+        && names.names_in(left).len() == 1
+        && is_root(differentiated)
+        && !case.throughout.is_empty()
+    {
+        case.assume.push(format!("{left} > 0"));
+    }
     // That something does not change says nothing of its value.
     let is_rate = |of: &str| of.starts_with("\\dot") && !printed.contains("\\dot");
     let is_a_start = |of: &str| of.contains("(0)") && distances.is_empty();
     let may_stay = |of: &str| is_a_start(of) || is_rate(of) || !is_printed(of.trim());
-    case.assume.retain(|said| said.split_once('=').is_none_or(|(of, _)| may_stay(of)));
+    // Of two constants that are equal the display prints one.
+    let is_other = |value: &str| names.is_constant(value.trim()) && !is_printed(value);
+    case.assume.retain(|said| said.split_once('=').is_none_or(|(of, value)| may_stay(of) || is_other(value)));
+    // What vanishes does so in each of its formulas.
+    let vanishing = case.assume.iter().filter_map(|said| said.split_once('=')).filter(|(_, value)| value.trim() == "0");
+    let formulas: Vec<String> = vanishing.filter_map(|(of, _)| formula_of(of.trim())).collect();
+    case.assume.extend(formulas.into_iter().map(|formula| format!("{formula} = 0")));
     // The same of a limit, but for a relation that says itself that it is near.
     let is_near = ["\\approx", "\\simeq", "\\sim"].iter().any(|sign| printed.contains(sign));
     case.limit =
@@ -162,6 +200,12 @@ fn distances<'n>(names: &'n NotesNames<'_>, printed: &str) -> Vec<&'n str> {
         is_name && !formula.contains("\\dot") && names.coordinates().any(|(one, _)| is_a_term(&one.name.value, formula))
     };
     said.chain(defined).filter(is_of_it).map(|(_, formula)| formula).collect()
+}
+
+/// Whether one side of an equality is a root, and nothing but it.
+fn is_root(printed: &str) -> bool {
+    printed.split('=').nth(1).is_some_and(|right| right.trim().starts_with("\\sqrt"))
+        && printed.matches('=').count() == 1
 }
 
 /// Whether a name by itself is one of several terms of a formula.
@@ -278,7 +322,8 @@ impl Case {
         let moving = coordinate(names, member).is_some() || names.coordinates().any(|(one, _)| rate(one));
         if moving {
             // A display that gives it a formula defines it.
-            if names::parse(value).is_some() && !names.is_declared(value) && !names.is_defined(value) {
+            let is_new = !KNOWN.contains(&value) && !names.is_declared(value) && !names.is_defined(value);
+            if is_new && names::parse(value).is_some() {
                 self.constants.push((value.to_owned(), Range::Any));
             }
             self.throughout.retain(|(of, _)| of != member);
@@ -292,6 +337,33 @@ impl Case {
         };
         if names.names_in(member).iter().all(is_known) {
             self.assume.push(format!("{member} = {value}"));
+        }
+    }
+
+    /// Notes the rates that words keep at 0: where they say that a state lasts, or that the acceleration is 0 too.
+    fn keeps_rates(&mut self, names: &NotesNames<'_>, words: &Sentence) {
+        let plain =
+            |text: &str| text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '{' | '}')).collect::<String>();
+        let said: Vec<String> = words.formulas.iter().map(|formula| plain(formula)).collect();
+        let lasts = says_that_it_lasts(words);
+        for (declared, _) in names.coordinates() {
+            let name = plain(&declared.name.value);
+            if lasts || said.contains(&format!("\\ddot{name}=0")) {
+                let rate = format!("\\dot{name}");
+                let rates = self.throughout.iter().filter(|(of, value)| plain(of) == rate && value == "0");
+                let rates: Vec<String> = rates.map(|(of, _)| of.clone()).collect();
+                self.lasting.extend(rates);
+            }
+        }
+    }
+
+    /// Adds that a coordinate stays at the value that a display before this one gives, and that this one prints in its place: "the radius
+    /// of the circle is $r_0 = …$, that is, with $\\dot\\theta = …$".
+    fn stays_at(&mut self, names: &NotesNames<'_>, at: usize, places: &[Place]) {
+        for place in places.iter().filter(|place| place.at < at && names.mentions(at, &place.value)) {
+            if !self.throughout.iter().any(|(of, _)| name_search::same(of, &place.coordinate)) {
+                self.throughout.push((place.coordinate.clone(), place.value.clone()));
+            }
         }
     }
 

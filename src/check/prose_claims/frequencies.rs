@@ -60,7 +60,8 @@ fn given_here(notes_names: &NotesNames<'_>, at: usize, words: &Sentence, places:
         .filter(|usage| usage.introduced == Some(at) && usage.arguments.is_none() && !usage.moves)
         .map(|usage| usage.name.to_string())
         .chain(pair(notes_names, at))
-        .filter(|name| !notes_names.is_declared(name))
+        // What is declared as a constant, and no more, gets this meaning in its place.
+        .filter(|name| !notes_names.is_declared(name) || notes_names.is_constant(name))
         .collect();
     let begins = |name: &str, letters: &[&str]| letters.iter().any(|letter| name_search::same(&base(name), letter));
     // The words may name any letter: "the frequency $n$".
@@ -163,13 +164,24 @@ fn gives_roots(words: &Sentence) -> bool {
     roots.iter().any(is_of_it)
 }
 
-/// What a display says that the words call a secular equation.
+/// Whether the words before a display call it a secular equation, or it only writes the one directly before it in another way: it has no
+/// name that this one has not.
+fn is_secular(notes_names: &NotesNames<'_>, at: usize, words: &Sentence) -> bool {
+    if gives_roots(words) || notes_names.has_coordinates(at) || !notes_names.is_equality_of_determinants(at) {
+        return false;
+    }
+    if words.says(&SECULAR) {
+        return true;
+    }
+    let Some(before) = at.checked_sub(1) else { return false };
+    let names = |at: usize| notes_names.names_in(&notes_names.notes.equations[at].text);
+    let known = names(before);
+    names(at).iter().all(|name| known.contains(name)) && is_secular(notes_names, before, &notes_names.before(before))
+}
+
+/// What a display says that is a secular equation by the words.
 fn secular_equation(notes_names: &NotesNames<'_>, at: usize, words: &Sentence) -> Option<ProseClaim> {
-    if !words.says(&SECULAR)
-        || gives_roots(words)
-        || notes_names.has_coordinates(at)
-        || !notes_names.is_equality_of_determinants(at)
-    {
+    if !is_secular(notes_names, at, words) {
         return None;
     }
     let is_defined = |name: &&str| notes_names.is_defined(name);

@@ -93,6 +93,8 @@ pub(crate) struct ProseClaim {
     gives_coordinates: bool,
     /// Whether a display of it is refuted, so that edits decide.
     is_doubtful: bool,
+    /// Whether no sampled state has the start of the motion that it is about.
+    is_untested: bool,
     /// What is said in the report.
     why: String,
 }
@@ -164,7 +166,11 @@ fn standing(
 ) -> (Vec<ProseClaim>, Option<Document>) {
     let brief = Run { options: Options { explain: false, ..run.options }, ..*run };
     loop {
-        let (kept, document) = kept(&brief, (claims, notes), said, may_stand);
+        let (mut kept, mut document) = kept(&brief, (claims, notes), said, may_stand);
+        // Words about a case come before edits, which cost more.
+        if special_cases::complete(&brief, (claims, notes), document.as_ref(), &mut kept) {
+            document = None;
+        }
         let with = added(claims, notes, &kept);
         let stands = |claim: &ProseClaim| {
             let mut displays = claim.displays.iter().filter_map(|at| notes.equations[*at].id());
@@ -182,6 +188,7 @@ fn standing(
         let before = kept.len();
         said = kept.iter().filter(|claim| !falls(claim)).cloned().collect();
         if said.len() == before {
+            let document = document.or_else(|| check_in(&brief, &with, notes).ok());
             return (said, document);
         }
     }
@@ -347,6 +354,11 @@ fn join(known: &mut Claim, new: &Claim) {
 }
 
 impl ProseClaim {
+    /// Whether it says where a motion begins.
+    fn claims_a_start(&self) -> bool {
+        self.claims.iter().any(|(_, claim)| claim.assume.iter().any(|said| said.value.contains("(0) =")))
+    }
+
     /// The findings on its displays.
     fn findings<'d>(&self, found: &'d Document, notes: &Notes) -> Vec<&'d Equation> {
         let equation = |at: &usize| {

@@ -40,6 +40,13 @@ impl<'a> NotesNames<'a> {
         self.free[at]
     }
 
+    /// Whether a claim says of a display that the system rests there, or moves steadily.
+    pub fn is_said_to_stay(&self, at: usize) -> bool {
+        let id = self.notes.equations[at].id();
+        let mut claimed = self.claims.equations.iter().filter(|(address, _)| Some(address.text.as_str()) == id);
+        claimed.any(|(_, claim)| claim.equilibrium.is_some())
+    }
+
     /// The sentence before a display.
     pub fn before(&self, at: usize) -> Sentence {
         Sentence::before(self.notes, at)
@@ -103,6 +110,14 @@ impl<'a> NotesNames<'a> {
         names_of(std::slice::from_ref(&display), &self.macros).into_iter().map(|usage| usage.name).collect()
     }
 
+    /// The names in a formula that have a dot, or stand under a derivative by the time.
+    pub fn moving_names_in(&self, formula: &str) -> Vec<Name> {
+        let Some(display) = self.notes.equations.first() else { return Vec::new() };
+        let display = Display { text: formula.to_owned(), ..display.clone() };
+        let usages = names_of(std::slice::from_ref(&display), &self.macros).into_iter();
+        usages.filter(|usage| usage.moves).map(|usage| usage.name).collect()
+    }
+
     /// Whether a formula does.
     pub fn has_name(&self, formula: &str, name: &str) -> bool {
         let (Some((name, _)), Some(display)) = (names::parse(name), self.notes.equations.first()) else { return false };
@@ -154,6 +169,34 @@ impl<'a> NotesNames<'a> {
 
 fn is_one_equality(text: &str) -> bool {
     text.matches('=').count() == 1 && !["\\quad", "\\\\", ",", "&"].iter().any(|mark| text.contains(mark))
+}
+
+/// A formula without what it is differentiated by: `\\frac{d^2 V}{d\\theta^2}` has no θ of its own.
+pub(super) fn without_differentials(printed: &str) -> String {
+    let mut found = printed.to_owned();
+    for (at, _) in printed.match_indices("}{").chain(printed.match_indices("} {")) {
+        let Some(open) = printed[at + 1..].find('{').map(|open| at + 1 + open) else { continue };
+        let inner = printed[open + 1..].trim_start();
+        let is_differential = ["\\partial", "d\\", "d ", "\\mathrm{d}"].iter().any(|mark| inner.starts_with(mark))
+            || inner.starts_with('d') && inner[1..].starts_with(char::is_alphabetic);
+        let is_time = inner.starts_with("dt") || inner.starts_with("d t");
+        if !is_differential || is_time {
+            continue;
+        }
+        let mut depth = 0;
+        let end = printed[open..].char_indices().find_map(|(place, mark)| {
+            depth += match mark {
+                '{' => 1,
+                '}' => -1,
+                _ => 0,
+            };
+            (depth == 0).then_some(open + place)
+        });
+        if let Some(end) = end {
+            found.replace_range(open + 1..end, &" ".repeat(end - open - 1));
+        }
+    }
+    found
 }
 
 /// A text without its matrices and determinants.

@@ -8,7 +8,7 @@ use crate::latex::{name_search, names};
 use crate::notes::claims::{Claim, Equilibrium, Range, Spanned};
 
 use super::notes_names::NotesNames;
-use super::words::PASSING;
+use super::words::{PASSING, Sentence};
 use super::{ProseClaim, spanned};
 
 /// Words for a state that lasts, as they begin.
@@ -59,8 +59,22 @@ pub(super) fn is_value_of(name: &Name, coordinate: &Name) -> bool {
         && !name.subscript.is_empty()
 }
 
+/// Whether words speak of a state that lasts.
+pub(super) fn says_that_it_lasts(words: &Sentence) -> bool {
+    (words.says(&LASTING) || words.has_word(&RESTS)) && !words.denies() && !words.says_phrase(&PASSING)
+}
+
 /// The values of coordinates at which the prose says that the system stays.
 pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<Place> {
+    where_it_stays(notes_names, &|at| notes_names.is_free(at))
+}
+
+/// The same, with those of which a claim already says that the system rests there, or moves steadily.
+pub(super) fn known(notes_names: &NotesNames<'_>) -> Vec<Place> {
+    where_it_stays(notes_names, &|at| notes_names.is_free(at) || notes_names.is_said_to_stay(at))
+}
+
+fn where_it_stays(notes_names: &NotesNames<'_>, is_open: &dyn Fn(usize) -> bool) -> Vec<Place> {
     let several = notes_names.coordinates().count() > 1;
     let mut found = Vec::new();
     for (declared, coordinate) in notes_names.coordinates() {
@@ -73,11 +87,9 @@ pub(super) fn infer(notes_names: &NotesNames<'_>) -> Vec<Place> {
             }
             let with_it = notes_names.displays_with(&value);
             let says_where = |at: &usize| {
-                let lasts = notes_names.sentence_of(*at).iter().any(|words| {
-                    (words.says(&LASTING) || words.has_word(&RESTS)) && !words.denies() && !words.says_phrase(&PASSING)
-                });
+                let lasts = notes_names.sentence_of(*at).iter().any(says_that_it_lasts);
                 let is_own = notes_names.is_given_in(*at, &value);
-                let is_free = notes_names.is_free(*at) && !notes_names.has_coordinates(*at);
+                let is_free = is_open(*at) && !notes_names.has_coordinates(*at);
                 lasts && is_free && (is_own || !notes_names.introduces(*at))
             };
             let Some(at) = with_it.iter().copied().find(says_where) else { continue };

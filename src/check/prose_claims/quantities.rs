@@ -81,6 +81,16 @@ fn conserved(notes_names: &NotesNames<'_>, at: usize) -> Option<ProseClaim> {
         && !notes_names.is_declared(&name)
         && (is_said || ENERGIES.contains(&given.name.base.as_str()) && given.name.subscript.is_empty());
     let id = notes_names.notes.equations[at].id()?;
+    // Any formula of constants keeps its value. As the energy of a motion that the notes print it can be tested.
+    if is_meant && !is_said && !notes_names.has_coordinates(at) {
+        return Some(ProseClaim {
+            displays: vec![at],
+            refutes: Refutes::WhereNatural,
+            why: format!("{name} is the energy, as the words before ({id}) say"),
+            means: vec![(name, "energy".to_owned())],
+            ..ProseClaim::default()
+        });
+    }
     is_meant.then(|| ProseClaim {
         claims: vec![(at, Claim { conserved: Some(spanned(Conserved::This)), ..Claim::default() })],
         displays: vec![at],

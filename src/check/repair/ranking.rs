@@ -50,7 +50,12 @@ pub(crate) fn rank(text: &str, edit: &Edit, step: bool) -> (Slip, bool, usize, u
     let longest = old.len().max(replacement.len());
     // A term is rarely missing beside a name that is alone on its side.
     let to_name = *slip == Slip::Term && old.is_empty() && names::parse(text[..span.start].trim()).is_some();
-    (*slip, step, longest - same + usize::from(far || to_name), span.start)
+    // A factor is rarely missing there too.
+    let of_name = *slip == Slip::Factor
+        && text[..span.end].trim().is_empty()
+        && text.split('=').next().is_some_and(|left| names::parse(left.trim()).is_some());
+    let later = if of_name { HALF } else { usize::from(far || to_name) };
+    (*slip, step, longest - same + later, span.start)
 }
 
 /// Whether an edit puts parentheses around what is printed, and changes nothing else.

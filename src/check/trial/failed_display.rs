@@ -33,3 +33,15 @@ impl FailedDisplay<'_> {
         self.places.is_empty() || self.places.iter().any(|place| place.contains(edit.span))
     }
 }
+
+/// Reduces a chain to the step that leads to a member.
+pub(crate) fn cut_to_step(reading: &mut Reading, (at, member): (usize, usize)) {
+    if let Some(Ok(statement)) = reading.statements.get_mut(at)
+        && (1..statement.members.len()).contains(&member)
+    {
+        statement.members = statement.members[member - 1..=member].to_vec();
+        statement.relations = vec![statement.relations[member - 1]];
+        statement.constant = None;
+        reading.introduced.retain(|introduced| introduced.statement != at);
+    }
+}

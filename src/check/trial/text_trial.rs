@@ -37,6 +37,7 @@ use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::setting::FEWEST;
 use crate::check::state::residual;
 use crate::check::state::residual::Point;
+use crate::check::trial::failed_display::cut_to_step;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Part;
 
@@ -231,7 +232,8 @@ impl<'d, 'a> Trial<'d, 'a> {
         if !says_something(&reading) || reread::missing_from_print(self.checker, &reading, self.now).is_some() {
             return Ok(Answer::Refused);
         }
-        if (!self.claim.is_plain() || self.is_linear) && is_refuted() {
+        let is_along = self.checker.model.has_motion() && self.is_along_the_motion(&reading);
+        if (!self.claim.is_plain() || self.is_linear || is_along) && is_refuted() {
             return Ok(Answer::Refuted);
         }
         let Ok(parts) = self.judged(&self.full, &reading, offset) else { return Ok(Answer::Refused) };
@@ -267,6 +269,17 @@ impl<'d, 'a> Trial<'d, 'a> {
     /// The number of dots of each solution of the motion, or rate of one, that a reading prints. No screening state tests these.
     fn motions(&self, reading: &Reading) -> Vec<u8> {
         self.solutions(reading).iter().map(|found| found.dots).collect()
+    }
+
+    /// Whether a reading may hold along a printed solution only, which no screening state shows.
+    fn is_along_the_motion(&self, reading: &Reading) -> bool {
+        let is_one = |statement: &Statement| {
+            let pairs = statement.members.windows(2).zip(&statement.relations);
+            let mut links =
+                pairs.filter_map(|(pair, (relation, _))| self.checker.link(&pair[0], *relation, &pair[1]).ok());
+            links.any(|link| self.checker.is_along_the_motion(&link))
+        };
+        reading.statements.iter().flatten().any(is_one)
     }
 
     fn solutions(&self, reading: &Reading) -> Vec<Solution> {
@@ -458,25 +471,13 @@ fn links<'r>(
         let is_solution = |at: usize, link: &Link| {
             at == 0 && (checker.is_mode(link) || checker.is_frequency(link))
                 || checker.solution(link, at, claim).is_some()
-                || solution::is_an_orbit(link, checker.model)
+                || checker.model.has_motion() && checker.is_along_the_motion(link)
         };
         let checked = (0..count).filter(|at| wanted(statement.relations[*at].0) && !defines(*at));
         let checked = checked.filter(|at| !solves(*at) && !drops(*at));
         let checked = checked.filter_map(|at| link(at).ok().filter(|link| !is_solution(at, link)));
         checked.collect::<Vec<_>>()
     })
-}
-
-/// Reduces a chain to the step that leads to a member.
-pub(crate) fn cut_to_step(reading: &mut Reading, (at, member): (usize, usize)) {
-    if let Some(Ok(statement)) = reading.statements.get_mut(at)
-        && (1..statement.members.len()).contains(&member)
-    {
-        statement.members = statement.members[member - 1..=member].to_vec();
-        statement.relations = vec![statement.relations[member - 1]];
-        statement.constant = None;
-        reading.introduced.retain(|introduced| introduced.statement != at);
-    }
 }
 
 fn is_tested(relation: Relation) -> bool {

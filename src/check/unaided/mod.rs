@@ -72,7 +72,7 @@ pub fn unaided(run: &Run<'_>, notes: &Notes) -> Result<Document> {
     let (mut equations, mut inferred) = by_scopes(run, notes, None)?;
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
-    inferred.extend(open_energies::left_out(notes, &open_energies::without_names(notes, &macros, &|_| false)));
+    inferred.extend(open_energies::left_out(notes, &open_energies::without_names(notes, &macros, true, &|_| false)));
     let judge = |edited: &Notes| Ok(by_scopes(run, edited, None)?.0);
     explanations::weighed(run, notes, &mut equations, &explanations::Judge { named: &with_ids, found: &judge })?;
     Ok(Document { claims: None, ..document(run, &with_ids(notes), (equations, Vec::new(), inferred)) })
@@ -306,7 +306,7 @@ fn taken_from_sentences(notes: &Notes, equations: &mut Vec<Equation>) -> Vec<Str
 fn with_ids(notes: &Notes) -> Notes {
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
-    let mut notes = open_energies::without_names(notes, &macros, &|_| false).into_owned();
+    let mut notes = open_energies::without_names(notes, &macros, true, &|_| false).into_owned();
     if !complex::are_spoken_of(&notes) {
         notes.equations.iter_mut().for_each(|display| display.text = complex::without_stars(&display.text));
     }

@@ -12,7 +12,7 @@ use crate::source::{Fault, Missing};
 use crate::check::document::unreadable::faults;
 use crate::check::model::Model;
 use crate::check::model::claim::is_equality;
-use crate::check::model::meaning::{Meaning, Variable};
+use crate::check::model::meaning::{Meaning, Quantity, Variable};
 
 /// The largest number of constants that a solution adds.
 const MOST: usize = 6;
@@ -101,7 +101,8 @@ fn is_a_coordinate(member: &Expr, model: &Model) -> bool {
 fn is_known(id: SymbolId, reading: &Reading, model: &Model) -> bool {
     let all_known = |formula: &Expr| formula.symbols().iter().all(|(id, _)| is_known(*id, reading, model));
     match model.meaning(id) {
-        Some(Meaning::Constant(_) | Meaning::Time) => true,
+        // A momentum may keep its value. Where it does not, the solution is refuted or not decided.
+        Some(Meaning::Constant(_) | Meaning::Time | Meaning::System(Quantity::Momentum(_))) => true,
         Some(Meaning::Defined(formula)) => all_known(formula),
         None => reading.introduced.iter().any(|introduced| introduced.symbol == id && all_known(&introduced.formula)),
         _ => false,

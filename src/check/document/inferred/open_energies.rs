@@ -7,7 +7,7 @@ use std::borrow::Cow;
 
 use crate::formula::symbols::Name;
 use crate::latex::layout::{Item, Layout, typeset_items};
-use crate::latex::{Macros, names};
+use crate::latex::{Macros, name_search, names};
 use crate::notes::Notes;
 use crate::source::Span;
 
@@ -32,11 +32,13 @@ pub(crate) fn only_named<'t>(texts: impl Iterator<Item = &'t str>, macros: &Macr
     open.map(|(at, _)| at).collect()
 }
 
-/// The notes, in which each chain `L = T - V = …` is `L = …`, if no display or sentence has a formula for T or V and nothing declares
-/// them: T and V say nothing there.
+/// The notes, in which each chain `L = T - V = …` is `L = …`, if no display or sentence has a formula for T and V and nothing declares
+/// them: T and V say nothing there. With a claims file, `is_guessed` is false, and one of them without a formula is enough: nothing may be
+/// guessed of it.
 pub(crate) fn without_names<'n>(
     notes: &'n Notes,
     macros: &Macros,
+    is_guessed: bool,
     is_declared: &dyn Fn(&Name) -> bool,
 ) -> Cow<'n, Notes> {
     if !notes.equations.iter().any(|display| display.text.matches('=').count() > 1) {
@@ -48,12 +50,21 @@ pub(crate) fn without_names<'n>(
         Sum::of(text, macros).map(|sum| sum.of)
     });
     let given: Vec<Name> = read.iter().flatten().map(|sum| sum.of.clone()).chain(sentences).collect();
-    let is_open = |name: &Name| is_energy(name) && !given.contains(name) && !is_declared(name);
+    // A second statement of a display may give it a formula.
+    let has_formula = |name: &Name| {
+        let name = name.to_string();
+        !is_guessed && notes.equations.iter().any(|display| name_search::is_a_side(&display.text, &name, macros))
+    };
+    let is_open = |name: &Name| is_energy(name) && !given.contains(name) && !is_declared(name) && !has_formula(name);
     let mut found = Cow::Borrowed(notes);
     for (at, sum) in read.iter().enumerate() {
         let named = sum.as_ref().filter(|sum| is_energy(&sum.of)).and_then(|sum| sum.named.as_ref());
         let Some((names, span)) = named else { continue };
-        if names.iter().all(is_open) {
+        let is_left_out = match is_guessed {
+            true => names.iter().all(is_open),
+            false => names.iter().all(is_energy) && names.iter().any(is_open),
+        };
+        if is_left_out {
             found.to_mut().equations[at].text.replace_range(span.range(), &" ".repeat(span.end - span.start));
         }
     }

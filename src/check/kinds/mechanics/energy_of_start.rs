@@ -12,6 +12,7 @@ use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::model::meaning::{Meaning, Quantity};
 use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
 use crate::formula::symbols::{Kind, Name};
 use crate::formula::{Expr, Node, Relation, Sign, SymbolId, Term};
 use crate::source::Span;
@@ -27,6 +28,18 @@ const DEEPEST: usize = 8;
 /// # Errors
 /// When the system's mass matrix is singular.
 pub(crate) fn holds(link: &Link, context: &Context<'_>) -> Result<Option<bool>> {
+    Ok(match check(link, context)?.map(|found| found.verdict) {
+        Some(verdict) if verdict.holds() => Some(true),
+        Some(Verdict::Refuted) => Some(false),
+        _ => None,
+    })
+}
+
+/// The finding on a link for all motions with the energy of the start that the hypotheses give; `None`, if that energy is not known.
+///
+/// # Errors
+/// When the system's mass matrix is singular.
+pub(crate) fn check(link: &Link, context: &Context<'_>) -> Result<Option<Finding>> {
     let model = context.model;
     if model.contains_time(&link.lhs) || model.contains_time(&link.rhs) {
         return Ok(None);
@@ -43,11 +56,7 @@ pub(crate) fn holds(link: &Link, context: &Context<'_>) -> Result<Option<bool>> 
     let implied = |known: Hypothesis| Hypothesis { implied: true, ..known };
     let hypotheses: Vec<Hypothesis> = others.chain([Hypothesis::of(energy, false)]).map(implied).collect();
     let context = Context { model: &with, hypotheses: &hypotheses, on_shell: Some(true), ..context.quick() };
-    Ok(match identity::check(link, &context)?.verdict {
-        verdict if verdict.holds() => Some(true),
-        Verdict::Refuted => Some(false),
-        _ => None,
-    })
+    identity::check(link, &context).map(Some)
 }
 
 /// The energy of a system without forces at the start that the hypotheses give: −L at rest, and q̇ ∂L/∂q̇ − L where one coordinate moves.

@@ -7,12 +7,13 @@
 //! secular equation is compared as a whole: its two sides must differ by a factor without ω from the determinant of all coordinates, or
 //! of coordinates that nothing couples to the others. So it has all roots, and no others.
 
+use crate::Result;
 use crate::code::Code;
 use crate::formula::{Expr, Node, SymbolId};
 use crate::source::Span;
-use crate::{Error, Result};
 
 use super::expressions::{equal, lagrangian, partial, product, symbol};
+use crate::check::certificate::formulas;
 use crate::check::judge::identity;
 use crate::check::model::PrintedLagrangian;
 use crate::check::model::claim::Link;
@@ -39,10 +40,19 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
     let Some(determinant) = pencil.secular(square) else { return Ok(too_many_turn(context)) };
     let link = equal(&determinant, &zero);
     let context = &Context { on_shell: Some(false), ..*context };
+    // Most texts that are tried in the place of a frequency fail at the first state.
+    if !context.options.explain && fails(&link, context)? {
+        return Ok(context.finding(Code::SidesDiffer, Verdict::Refuted, "this is not a normal frequency"));
+    }
     let mut found = identity::check(&link, context)?;
     // A frequency exists where the place is stable, and is claimed there.
     if found.code == Code::DomainDiffers {
         let holds = context.verified("", "a root that is not real where the place is not stable");
+        found = Finding { points: found.points, tried: found.tried, ..holds };
+    }
+    // In a case of two coordinates the determinant may vanish where the case holds, and nowhere else.
+    if found.code == Code::RestatesHypothesis {
+        let holds = context.verified("", "a determinant that is 0 in this case only");
         found = Finding { points: found.points, tried: found.tried, ..holds };
     }
     match found.verdict {
@@ -106,6 +116,9 @@ pub(crate) fn secular_equation(link: &Link, omega: SymbolId, context: &Context<'
     let is_proportional = |ours: &Expr| {
         let (printed_at_one, ours_at_one) = (at_one(&printed), at_one(ours));
         let link = equal(&product(vec![printed.clone(), ours_at_one]), &product(vec![ours.clone(), printed_at_one]));
+        if !context.options.explain && fails(&link, context)? {
+            return Ok(context.finding(Code::SidesDiffer, Verdict::Refuted, "this is not the secular equation"));
+        }
         identity::check(&link, context)
     };
     let mut found = is_proportional(&product(determinants.clone()))?;
@@ -133,10 +146,23 @@ pub(crate) fn secular_equation(link: &Link, omega: SymbolId, context: &Context<'
     Ok(Finding { message: message.to_owned(), counterexample: None, ..found })
 }
 
-/// Whether a formula is 0 whatever its symbols are.
+/// Whether a formula is 0 whatever its symbols are. Most are not, which one state shows.
 fn is_zero(of: &Expr, context: &Context<'_>) -> Result<bool> {
     let link = equal(of, &Expr::integer(0, Span::default()));
+    if of.is_zero() || formulas::is_identity(of, &link.rhs, context.model) {
+        return Ok(true);
+    }
+    if fails(&link, context)? {
+        return Ok(false);
+    }
     Ok(of.is_zero() || identity::check(&link, &Context { on_shell: Some(false), ..context.quick() })?.verdict.holds())
+}
+
+/// Whether a link fails at one of a few states. They tell 0 from what is not 0, and every suggestion that is tried asks again.
+fn fails(link: &Link, context: &Context<'_>) -> Result<bool> {
+    let context = Context { on_shell: Some(false), ..context.quick() };
+    let ensemble = context.ensemble(context.mode(false, &[&link.lhs, &link.rhs]), false, FEWEST)?;
+    Ok(run(link, &ensemble.states).is_ok_and(|outcome| outcome.failure.is_some()))
 }
 
 fn unsupported(context: &Context<'_>) -> Finding {
@@ -161,18 +187,13 @@ fn obstacle(pencil: &Pencil, context: &Context<'_>) -> Result<Option<&'static st
     }
     let Some(lagrangian) = lagrangian(context) else { return Ok(None) };
     let context = &Context { on_shell: Some(false), ..context.quick() };
-    // A few states tell 0 from what is not 0, and every suggestion that is tried asks again.
-    let is_refuted = |link: &Link| {
-        let ensemble = context.ensemble(context.mode(false, &[&link.lhs, &link.rhs]), false, FEWEST)?;
-        Ok::<bool, Error>(run(link, &ensemble.states).is_ok_and(|outcome| outcome.failure.is_some()))
-    };
     let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
     for a in &coordinates {
         let Some(force) = partial(&lagrangian, *a, 0, context).map(|force| at_zero(force, &coordinates)) else {
             continue;
         };
         let is_driven = model.contains_time(&force);
-        if !is_driven && !force.is_zero() && is_refuted(&equal(&force, &Expr::integer(0, Span::default())))? {
+        if !is_driven && !force.is_zero() && fails(&equal(&force, &Expr::integer(0, Span::default())), context)? {
             return Ok(Some(
                 "the system does not stay at rest where all coordinates are 0; measure the coordinates from the place of rest",
             ));
