@@ -81,6 +81,8 @@ mod unaided;
 mod unaided_cases;
 #[path = "cli/unaided_chains.rs"]
 mod unaided_chains;
+#[path = "cli/unaided_chapters.rs"]
+mod unaided_chapters;
 #[path = "cli/unaided_contradictions.rs"]
 mod unaided_contradictions;
 #[path = "cli/unaided_differentials.rs"]

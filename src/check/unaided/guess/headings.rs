@@ -130,6 +130,68 @@ const ANOTHER_SYSTEM: [&str; 22] = [
     "consideriamo ",
 ];
 
+/// Words and their beginnings in the heading of a step: it is about the system that was treated before.
+const STEPS: [&str; 58] = [
+    "equation",
+    "motion",
+    "small",
+    "oscillation",
+    "solution",
+    "solving",
+    "moment",
+    "energ",
+    "conserv",
+    "hamilton",
+    "euler",
+    "lagrang",
+    "equilib",
+    "linear",
+    "period",
+    "frequen",
+    "mode",
+    "deriv",
+    "discussion",
+    "result",
+    "stability",
+    "limit",
+    "approx",
+    "check",
+    "symmetr",
+    "constraint",
+    "force",
+    "analysis",
+    "numer",
+    "coordinate",
+    "kinetic",
+    "potential",
+    "summary",
+    "conclusion",
+    "remark",
+    "note",
+    "position",
+    "velocit",
+    "acceler",
+    "tension",
+    "orbit",
+    "trajector",
+    "special case",
+    "bewegung",
+    "lösung",
+    "gleichung",
+    "impuls",
+    "erhaltung",
+    "schwingung",
+    "näherung",
+    "mouvement",
+    "équation",
+    "movimiento",
+    "ecuaci",
+    "solución",
+    "方程",
+    "运动",
+    "運動",
+];
+
 /// Where a section, an example or a paragraph about another system begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Mark {
@@ -137,8 +199,12 @@ pub(super) struct Mark {
     pub at: usize,
     /// The level of its heading: 1 for the highest one.
     pub level: usize,
-    /// Whether it begins an example.
-    pub is_example: bool,
+    /// The level of the last heading before its first display.
+    pub lowest: usize,
+    /// The level of the heading of an example, if it begins one.
+    pub example: Option<usize>,
+    /// Whether its words are about a step in the treatment of a system: "Equations of motion".
+    pub is_step: bool,
 }
 
 impl Mark {
@@ -149,7 +215,7 @@ impl Mark {
 
     /// Whether the Lagrangian after it may be that of another system. A label may name a quantity: "Kinetic energy:".
     pub fn may_begin_a_system(&self) -> bool {
-        self.level != LABEL || self.is_example
+        self.level != LABEL || self.example.is_some()
     }
 }
 
@@ -169,7 +235,9 @@ pub(super) fn marks(notes: &Notes) -> Vec<Mark> {
         match (displays.peek(), found.last_mut()) {
             (Some((at, _)), Some(last)) if last.at == *at => {
                 last.level = mark.level.min(last.level);
-                last.is_example |= mark.is_example;
+                last.lowest = mark.level;
+                last.example = mark.example.or(last.example);
+                last.is_step &= mark.is_step;
             }
             (Some((at, _)), _) => found.push(Mark { at: *at, ..mark }),
             (None, _) => {}
@@ -208,7 +276,9 @@ fn headings(text: &str) -> Vec<Mark> {
         let words = if is_underline { before } else { content };
         let is_example =
             environment.is_some_and(|at| at < 3) || is_block_of_an_example(content) || names_an_example(words);
-        found.extend(level.map(|level| Mark { at: start, level, is_example }));
+        let is_step = is_step(words);
+        let example = level.filter(|_| is_example);
+        found.extend(level.map(|level| Mark { at: start, level, lowest: level, example, is_step }));
         (start, before) = (start + line.len(), content);
     }
     found
@@ -270,6 +340,12 @@ fn names_an_example(line: &str) -> bool {
     false
 }
 
+/// Whether the words of a heading are about a step in the treatment of a system.
+fn is_step(heading: &str) -> bool {
+    let heading = heading.to_lowercase();
+    STEPS.iter().any(|word| heading.contains(word))
+}
+
 /// Whether a line is the name of a thing, as a heading would be: "Pendulum:".
 fn is_label(line: &str) -> bool {
     let Some(name) = line.strip_suffix(':') else { return false };
@@ -320,7 +396,7 @@ mod tests {
             "### 6.3 Beispiel",
             "Problem 4. A bead",
         ] {
-            assert!(headings(line).first().is_some_and(|mark| mark.is_example), "{line}");
+            assert!(headings(line).first().is_some_and(|mark| mark.example.is_some() && !mark.is_step), "{line}");
         }
         for line in [
             "## Examples",
@@ -329,8 +405,9 @@ mod tests {
             "\\begin{solution}",
             "::: {.callout-note}",
         ] {
-            assert!(!headings(line).iter().any(|mark| mark.is_example), "{line}");
+            assert!(!headings(line).iter().any(|mark| mark.example.is_some()), "{line}");
         }
+        assert!(headings("### Equations of motion").first().is_some_and(|mark| mark.is_step));
         assert_eq!(places("Consider now a bead on a wire.\n"), [(0, SPOKEN)]);
         assert!(places("text\nconsider a bead\n").is_empty());
         assert_eq!(places("Pendulum:\n"), [(0, LABEL)]);

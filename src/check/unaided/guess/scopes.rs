@@ -10,9 +10,10 @@
 use std::collections::HashSet;
 use std::ops::Range;
 
-use crate::check::document::inferred::open_energies;
+use crate::check::document::inferred::open_energies::{self, is_energy};
 use crate::check::document::setup::define_macros;
 use crate::check::unaided::guess::headings::{self, Mark, RUN_IN};
+use crate::check::unaided::guess::lagrangian::is_lagrangian;
 use crate::check::unaided::guess::systems;
 use crate::check::unaided::scope::Scope;
 use crate::check::usage::{Usage, names_of};
@@ -59,8 +60,8 @@ pub(crate) struct Outline {
     /// The displays with which a section begins, and those with which a chapter begins.
     sections: Vec<usize>,
     chapters: HashSet<usize>,
-    /// The displays with which an example begins.
-    examples: Vec<usize>,
+    /// The same, with what begins there.
+    marks: Vec<Mark>,
     /// The displays with which a system begins.
     systems: Vec<usize>,
     macros: Macros,
@@ -91,8 +92,8 @@ impl Outline {
         Outline {
             chapters: chapters.map(|mark| mark.at).collect(),
             sections: found.iter().map(|mark| mark.at).collect(),
-            examples: found.iter().filter(|mark| mark.is_example).map(|mark| mark.at).collect(),
             systems: systems::starts(notes, &names, &marks),
+            marks: found.into_iter().copied().collect(),
             names,
             macros,
         }
@@ -108,20 +109,28 @@ impl Outline {
         for (start, next) in starts.iter().zip(&starts[1..]) {
             let here = || self.names[*start..*next].iter().flat_map(|named| &named.introduced);
             let renewed: HashSet<&Name> = here().filter(|name| known.contains(name)).collect();
-            let is_lagrangian = |name: &&Name| ["L", "\\mathcal{L}"].contains(&name.base.as_str());
-            let is_another_example = self.examples.contains(start)
-                && self
-                    .examples
-                    .iter()
-                    .any(|earlier| (first..*start).contains(earlier) && self.renews(*earlier, (*start, *next)));
+            let is_another_example =
+                self.siblings(*start).any(|earlier| earlier >= first && self.renews(earlier, (*start, *next)));
             let is_chapter = self.chapters.contains(start) && *start >= first + SHORT;
-            let is_renewed = renewed.len() >= RENEWED || renewed.iter().any(is_lagrangian) || is_another_example;
+            let is_renewed =
+                renewed.len() >= RENEWED || renewed.iter().any(|name| is_lagrangian(name)) || is_another_example;
             if is_chapter || *start >= first + LONGEST || is_renewed {
                 return *start;
             }
             known.extend(here());
         }
         all
+    }
+
+    /// The earlier examples of the same section, by their first displays, if an example begins with a display.
+    fn siblings(&self, start: usize) -> impl Iterator<Item = usize> {
+        let own = self.marks.iter().find(|mark| mark.at == start).and_then(|mark| Some((mark.level, mark.example?)));
+        let is_first = |(level, example): (usize, usize)| level < example;
+        let level = own.filter(|own| !is_first(*own)).map_or(0, |(_, level)| level);
+        let before = self.marks.iter().rev().filter(move |mark| mark.at < start);
+        // A section of a higher level has examples of its own.
+        let same = before.take_while(move |mark| mark.level >= level && level > 0);
+        same.filter(|mark| mark.example.is_some()).map(|mark| mark.at)
     }
 
     /// Whether some displays give a name another formula than an earlier example does, the one that begins with the `example`-th display.
@@ -140,7 +149,7 @@ impl Outline {
         let system = |at: usize| self.systems.iter().rposition(|start| *start <= at);
         let section = |at: usize| self.sections.iter().copied().rfind(|start| *start <= at);
         let next = self.sections.iter().copied().find(|start| *start > first).unwrap_or(end).min(end);
-        let example = section(at).filter(|section| self.examples.contains(section) && self.examples.contains(&first));
+        let example = section(at).filter(|section| self.siblings(first).any(|sibling| sibling == *section));
         (system(at).is_none() || system(at) == system(first))
             && example.is_none_or(|example| !self.renews(example, (first, next)))
     }
@@ -156,7 +165,10 @@ pub(crate) fn from(notes: &Notes, first: usize, outline: &Outline) -> (Notes, Sc
     let mut carried: Vec<usize> = Vec::new();
     for at in (0..first).rev().take(FAR_BACK) {
         let Named { introduced, used: needs, .. } = &outline.names[at];
-        let is_wanted = introduced.iter().any(|name| used.contains(name));
+        // `L = T - V` holds for the energies of the scope.
+        let is_sum = introduced.iter().any(is_lagrangian)
+            && needs.iter().all(|name| is_lagrangian(name) || is_energy(name) && known.contains(name));
+        let is_wanted = introduced.iter().any(|name| used.contains(name)) || is_sum;
         // A coordinate of the scope is not given by names of another one: φ = θ − θ₀, where the scope has φ̇ and no θ.
         let is_coordinate = introduced.iter().any(|name| moving.contains(name));
         let is_foreign = is_coordinate && !needs.iter().any(|name| !introduced.contains(name) && used.contains(name));

@@ -6,7 +6,8 @@
 //! formula that is about its coordinates. Where this is unclear a display stays with the system before, with whose coordinates it
 //! has nothing in common, so it is taken for granted.
 //!
-//! Where a Lagrangian stands in an example, each example is a system.
+//! Where a Lagrangian stands in an example, each example is a system. Where there are several systems, a section without a Lagrangian
+//! may be about one more: its heading is no lower than that of the system before it, and names no step of its treatment.
 
 use std::collections::HashSet;
 
@@ -45,13 +46,32 @@ pub(super) fn starts(notes: &Notes, names: &[Named], marks: &[Mark]) -> Vec<usiz
         }
     }
     let mut starts: Vec<usize> = found.iter().map(|system| system.start).collect();
-    let examples = || marks.iter().filter(|mark| mark.is_example).map(|mark| mark.at);
+    if starts.len() > 1 {
+        starts.extend(sections_of_their_own(&found, marks));
+    }
+    let examples = || marks.iter().filter(|mark| mark.example.is_some()).map(|mark| mark.at);
     if starts.iter().any(|start| examples().any(|example| example == *start)) {
         starts.extend(examples());
-        starts.sort_unstable();
-        starts.dedup();
     }
+    starts.sort_unstable();
+    starts.dedup();
     starts
+}
+
+/// The first displays of sections that may be about other systems than the one before them.
+fn sections_of_their_own<'m>(systems: &[System<'_>], marks: &'m [Mark]) -> impl Iterator<Item = usize> + use<'m> {
+    let levels: Vec<(usize, usize, usize)> = systems
+        .iter()
+        .filter_map(|system| {
+            let mark = marks.iter().find(|mark| mark.at == system.start)?;
+            Some((system.start, system.formula, mark.lowest))
+        })
+        .collect();
+    let is_own = move |mark: &&Mark| {
+        let before = levels.iter().rfind(|(start, ..)| *start < mark.at);
+        before.is_some_and(|(_, formula, level)| *formula < mark.at && mark.level <= *level) && !mark.is_step
+    };
+    marks.iter().filter(|mark| mark.begins_a_section() && mark.may_begin_a_system()).filter(is_own).map(|mark| mark.at)
 }
 
 /// What moves in the Lagrangian of a display and in the energies from which it is made, given since a display; `None` if this is no
@@ -125,7 +145,7 @@ fn next_start<'n>(
 /// The display with which the example or the section begins in which a Lagrangian gets a formula, if one begins since a display.
 fn marked_start(names: &[Named], marks: &[Mark], (after, at): (usize, usize)) -> Option<usize> {
     let inside = || marks.iter().filter(|mark| (after..=at).contains(&mark.at) && mark.may_begin_a_system());
-    if let Some(example) = inside().rfind(|mark| mark.is_example) {
+    if let Some(example) = inside().rfind(|mark| mark.example.is_some()) {
         return Some(example.at);
     }
     let highest = inside().map(|mark| mark.level).min()?;
