@@ -10,6 +10,7 @@
 //! | `arguments` | the Lagrangian with its arguments |
 //! | `order` | displays that use what later ones define |
 //! | `headings` | where sections and examples begin |
+//! | `named` | the names in one display |
 //! | `systems` | where another system begins |
 //! | `scopes` | where a letter gets another meaning |
 //! | `corrections` | what the author changed in the inferred file |
@@ -27,6 +28,7 @@ mod headings;
 pub(super) mod inference;
 mod lagrangian;
 mod letters;
+mod named;
 mod order;
 pub(super) mod scopes;
 mod systems;

@@ -14,9 +14,9 @@ use crate::check::document::inferred::open_energies::{self, is_energy};
 use crate::check::document::setup::define_macros;
 use crate::check::unaided::guess::headings::{self, Mark, RUN_IN};
 use crate::check::unaided::guess::lagrangian::is_lagrangian;
+use crate::check::unaided::guess::named::Named;
 use crate::check::unaided::guess::systems;
 use crate::check::unaided::scope::Scope;
-use crate::check::usage::{Usage, names_of};
 use crate::formula::symbols::Name;
 use crate::latex::Macros;
 use crate::notes::{Display, Notes};
@@ -42,18 +42,6 @@ const NEAR: usize = 400;
 /// The number of letters with a new formula that begin a new scope.
 const RENEWED: usize = 3;
 
-/// The names in one display.
-pub(super) struct Named {
-    /// Those that it gives a formula.
-    pub introduced: Vec<Name>,
-    /// All of them.
-    pub used: Vec<Name>,
-    /// Those with a dot, or under d/dt.
-    pub moving: Vec<Name>,
-    /// What the display prints.
-    pub printed: String,
-}
-
 /// The names in the displays of notes, and where sections begin.
 pub(crate) struct Outline {
     names: Vec<Named>,
@@ -72,23 +60,13 @@ impl Outline {
     pub fn of(notes: &Notes) -> Outline {
         let mut macros = Macros::default();
         define_macros(&notes.macros, &mut macros);
-        let named = |display: &Display| {
-            let usages = names_of(std::slice::from_ref(display), &macros);
-            let is_introduced = |usage: &&Usage| usage.introduced.is_some();
-            Named {
-                introduced: usages.iter().filter(is_introduced).map(|usage| usage.name.clone()).collect(),
-                used: usages.iter().map(|usage| usage.name.clone()).collect(),
-                moving: usages.iter().filter(|usage| usage.moves).map(|usage| usage.name.clone()).collect(),
-                printed: printed(&display.text),
-            }
-        };
         let marks = headings::marks(notes);
         let found: Vec<&Mark> = marks.iter().filter(|mark| mark.begins_a_section()).collect();
         // Where there are headings below those of the highest level, the latter are those of chapters.
         let highest = found.iter().map(|mark| mark.level).min();
         let has_lower = found.iter().any(|mark| Some(mark.level) > highest && mark.level < RUN_IN);
         let chapters = found.iter().filter(|mark| has_lower && Some(mark.level) == highest);
-        let names: Vec<Named> = notes.equations.iter().map(named).collect();
+        let names: Vec<Named> = notes.equations.iter().map(|display| Named::of(display, &macros)).collect();
         Outline {
             chapters: chapters.map(|mark| mark.at).collect(),
             sections: found.iter().map(|mark| mark.at).collect(),
@@ -204,11 +182,4 @@ fn without_names_of_others(notes: &Notes, outline: &Outline, carried: usize) -> 
     let mut read = notes.clone();
     read.equations = open_energies::without_names(&own, &outline.macros, &|_| false).into_owned().equations;
     read
-}
-
-/// What a display prints, without spaces, marks of alignment and punctuation at the end.
-fn printed(text: &str) -> String {
-    let text = text.replace("\\left", "").replace("\\right", "");
-    let kept: String = text.chars().filter(|c| !c.is_whitespace() && *c != '&').collect();
-    kept.trim_end_matches(['.', ',', ';']).to_owned()
 }

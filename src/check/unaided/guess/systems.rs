@@ -14,7 +14,7 @@ use std::collections::HashSet;
 use crate::check::document::inferred::open_energies::is_energy;
 use crate::check::unaided::guess::headings::Mark;
 use crate::check::unaided::guess::lagrangian::{is_lagrangian, squares_a_rate};
-use crate::check::unaided::guess::scopes::Named;
+use crate::check::unaided::guess::named::Named;
 use crate::formula::symbols::Name;
 use crate::notes::Notes;
 
