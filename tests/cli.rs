@@ -83,6 +83,8 @@ mod unaided_cases;
 mod unaided_causes;
 #[path = "cli/unaided_chains.rs"]
 mod unaided_chains;
+#[path = "cli/unaided_chapters.rs"]
+mod unaided_chapters;
 #[path = "cli/unaided_contradictions.rs"]
 mod unaided_contradictions;
 #[path = "cli/unaided_differentials.rs"]

@@ -61,7 +61,7 @@ use crate::source::Span;
 use guess::corrections::Corrections;
 #[cfg(feature = "cli")]
 pub use guess::draft::draft;
-use guess::{inference, scopes};
+use guess::{arguments, inference, scopes};
 
 /// Checks notes without a claims file.
 ///
@@ -85,7 +85,7 @@ fn by_scopes(run: &Run<'_>, notes: &Notes, corrections: Option<&Corrections>) ->
     let (mut equations, mut inferred) = (Vec::new(), Vec::new());
     // A letter that a later section uses for something else is another letter, so a new scope begins there.
     while equations.len() < notes.equations.len() {
-        let (part, scope) = scopes::from(run, &notes, equations.len(), &outline);
+        let (part, scope) = scopes::from(&notes, equations.len(), &outline);
         let claims = inference::claims(run, &part)?;
         let claims = corrections.map_or(Ok(claims.clone()), |corrections| corrections.applied(claims))?;
         let (found, concluded) = judged(run, &claims, &part, &scope)?;
@@ -106,7 +106,7 @@ pub fn system(run: &Run<'_>, notes: &Notes) -> Result<Option<Arc<System>>> {
     let outline = scopes::Outline::of(&notes);
     let mut seen = 0;
     while seen < notes.equations.len() {
-        let (part, scope) = scopes::from(run, &notes, seen, &outline);
+        let (part, scope) = scopes::from(&notes, seen, &outline);
         let claims = inference::claims(run, &part)?;
         if let Some(system) = traced(run, &claims, &part)? {
             return Ok(Some(system));
@@ -312,6 +312,9 @@ fn with_ids(notes: &Notes) -> Notes {
     }
     for display in &mut notes.equations {
         if let Some(text) = remarks::blanked(&display.text) {
+            display.text = text;
+        }
+        if let Some(text) = arguments::blanked(&display.text) {
             display.text = text;
         }
     }

@@ -23,6 +23,7 @@ use crate::check::model::Model;
 use crate::check::model::meaning::Variable;
 use crate::check::unaided::guess::lagrangian;
 use crate::check::unaided::guess::letters::{self, is_reserved, is_reserved_name};
+use crate::check::unaided::guess::order::names_in_order;
 use crate::check::unaided::guess::values::{self, Value as OneValue};
 use crate::check::unaided::ordered::{self, Ordered};
 use crate::check::usage::{Usage, names_of};
@@ -55,7 +56,7 @@ const LOST: usize = 3;
 pub(crate) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
-    let mut usages = names_of(&notes.equations, &macros);
+    let mut usages = names_in_order(notes, &macros);
     let is_constant = |usage: &Usage| !usage.moves && letters::is_said_to_be_constant(notes, &usage.name);
     usages.iter_mut().filter(|usage| usage.follows).for_each(|usage| usage.follows = !is_constant(usage));
     let lagrangian = lagrangian::of(notes, &usages, &macros);
@@ -91,7 +92,10 @@ fn by_letters(
     ordered: &[Ordered],
 ) -> Result<Claims> {
     for printed in [lagrangian, None] {
-        let mut whole = Guess::of(usages, printed, ordered);
+        let inside = printed.and_then(|name| usages.iter().find(|usage| usage.name == *name)?.introduced);
+        let inside = inside.and_then(|at| notes.equations.get(at)).map(std::slice::from_ref).unwrap_or_default();
+        let inside: Vec<Name> = names_of(inside, macros).into_iter().map(|usage| usage.name).collect();
+        let mut whole = Guess::of(usages, (printed, &inside), ordered);
         if letters::has_both_constants_of_planck(notes, usages) {
             whole = whole.without("constants", &["\\hbar".to_owned()]);
             whole.define("\\hbar", "\\frac{h}{2\\pi}");
@@ -243,7 +247,8 @@ struct Guess {
 }
 
 impl Guess {
-    fn of(usages: &[Usage], lagrangian: Option<&Name>, ordered: &[Ordered]) -> Guess {
+    /// The guess where a name is the Lagrangian, perhaps, whose formula contains some names.
+    fn of(usages: &[Usage], (lagrangian, inside): (Option<&Name>, &[Name]), ordered: &[Ordered]) -> Guess {
         let mut guess = Guess { ordered: ordered.to_vec(), ..Guess::default() };
         // An orbit r(φ) moves as the place does.
         let is_function = |usage: &Usage| {
@@ -300,7 +305,10 @@ impl Guess {
                     guess.declare("functions", &name, &format!("of {}", of.join(", ")));
                 }
                 _ if moves && lagrangian.is_some() && !is_vector => guess.declare("coordinates", &name, range),
-                _ if moves || usage.follows || is_argument => guess.declare("varies with time", &name, range),
+                // An acceleration a in a Lagrangian is constant, though \ddot x = a says that it is equal to what moves.
+                _ if moves || is_argument || usage.follows && !inside.contains(&usage.name) => {
+                    guess.declare("varies with time", &name, range)
+                }
                 _ => guess.declare("constants", &name, range),
             }
         }

@@ -1,10 +1,10 @@
 //! Which name is the Lagrangian of notes without a claims file.
 
 use crate::check::document::inferred::open_energies;
-use crate::check::usage::Usage;
+use crate::check::usage::{Usage, names_of};
 use crate::formula::symbols::Name;
 use crate::latex::Macros;
-use crate::notes::Notes;
+use crate::notes::{Display, Notes};
 
 /// The name of the Lagrangian, if a display defines one, and the notes speak of it, differentiate it, or square a rate in it: an
 /// angular momentum has no such square.
@@ -14,21 +14,22 @@ pub(super) fn of<'u>(notes: &Notes, usages: &'u [Usage], macros: &Macros) -> Opt
     // `L = T - V` alone is no formula for it.
     let has_formula = |usage: &Usage| {
         open.is_empty() || {
-            let mut others = texts().enumerate().filter(|(at, _)| !open.contains(at));
-            let name = usage.name.to_string();
-            others.any(|(_, text)| text.trim_start().strip_prefix(&name).is_some_and(|rest| rest.contains('=')))
+            let mut others = notes.equations.iter().enumerate().filter(|(at, _)| !open.contains(at));
+            let gives = |display: &Display| {
+                let names = names_of(std::slice::from_ref(display), macros);
+                names.iter().any(|given| given.name == usage.name && given.introduced.is_some())
+            };
+            others.any(|(_, display)| gives(display))
         }
     };
     let text = &notes.source.text;
     let is_spoken_of = text.contains("agrangian") || text.contains("Euler--Lagrange") || text.contains("\\partial L");
-    let is_it = |usage: &&Usage| {
-        ["L", "\\mathcal{L}"].contains(&usage.name.base.as_str())
-            && usage.name.subscript.is_empty()
-            && usage.introduced == Some(usage.first)
-    };
+    let is_it = |usage: &&Usage| is_lagrangian(&usage.name) && usage.introduced == Some(usage.first);
     let moves = usages.iter().any(|usage| usage.moves);
     let is_kinetic = |usage: &&Usage| {
-        usage.introduced.and_then(|at| notes.equations.get(at)).is_some_and(|display| squares_a_rate(&display.text))
+        let display = usage.introduced.and_then(|at| notes.equations.get(at));
+        display
+            .is_some_and(|display| squares_a_rate(&display.text) || is_sum_with_rates(display, notes, usages, macros))
     };
     usages
         .iter()
@@ -37,8 +38,24 @@ pub(super) fn of<'u>(notes: &Notes, usages: &'u [Usage], macros: &Macros) -> Opt
         .map(|usage| &usage.name)
 }
 
+/// Whether a name is that of a Lagrangian, where it has the formula of one.
+pub(super) fn is_lagrangian(name: &Name) -> bool {
+    ["L", "\\mathcal{L}"].contains(&name.base.as_str()) && name.subscript.is_empty() && name.primes == 0
+}
+
+/// Whether a display gives the sum of energies, `L = T - V`, and another one squares a rate in the formula of one of them.
+fn is_sum_with_rates(display: &Display, notes: &Notes, usages: &[Usage], macros: &Macros) -> bool {
+    let names = names_of(std::slice::from_ref(display), macros);
+    let squares = |name: &Name| {
+        let given = usages.iter().find(|usage| usage.name == *name).and_then(|usage| usage.introduced);
+        given.and_then(|at| notes.equations.get(at)).is_some_and(|display| squares_a_rate(&display.text))
+    };
+    names.iter().all(|usage| open_energies::is_energy(&usage.name))
+        && names.iter().any(|usage| !is_lagrangian(&usage.name) && squares(&usage.name))
+}
+
 /// Whether a text has a dotted name with the power 2: `\dot x^2`, `\dot{\theta}_1^{2}`.
-fn squares_a_rate(text: &str) -> bool {
+pub(super) fn squares_a_rate(text: &str) -> bool {
     text.split("\\dot").skip(1).any(|after| {
         let after = after.trim_start_matches(['{', ' ']);
         let name = after.trim_start_matches('\\').trim_start_matches(|c: char| c.is_ascii_alphabetic());

@@ -3,14 +3,20 @@
 //! Authors use a letter again in a later section: T is a period, then a kinetic energy. A scope is a run of sections. It
 //! ends where a later section gives a known letter a formula that does not follow; from there the names are inferred
 //! anew. It ends as well, before anything is judged, with a section that gives another Lagrangian or several known
-//! letters a formula. A definition before the scope holds in it, if the scope uses its name and does not define it again.
+//! letters a formula, with an example that gives a letter of an earlier example another formula, and where another system
+//! begins (`systems`). A definition before the scope holds in it, if the scope uses its name and does not define it again, and if
+//! it is of the same system or stands before all of them.
 
 use std::collections::HashSet;
 use std::ops::Range;
 
-use crate::check::document::setup::{Run, define_macros};
+use crate::check::document::inferred::open_energies::{self, is_energy};
+use crate::check::document::setup::define_macros;
+use crate::check::unaided::guess::headings::{self, Mark, RUN_IN};
+use crate::check::unaided::guess::lagrangian::is_lagrangian;
+use crate::check::unaided::guess::named::Named;
+use crate::check::unaided::guess::systems;
 use crate::check::unaided::scope::Scope;
-use crate::check::usage::{Usage, names_of};
 use crate::formula::symbols::Name;
 use crate::latex::Macros;
 use crate::notes::{Display, Notes};
@@ -24,30 +30,17 @@ const WITHOUT_SECTIONS: usize = 120;
 /// The number of displays after which a scope ends with its chapter.
 const SHORT: usize = 12;
 
-/// The level of a heading that does not say its level.
-const LOWEST: usize = 9;
-
-/// The level of bold words with which a paragraph begins: "**4. Dipole.** From the potential …".
-const RUN_IN: usize = 10;
-
 /// The most definitions that are carried over from before a scope.
 const CARRIED: usize = 60;
 
 /// How far back definitions are sought.
 const FAR_BACK: usize = 480;
 
+/// How many bytes before the first display of a scope a sentence may begin that is about it.
+const NEAR: usize = 400;
+
 /// The number of letters with a new formula that begin a new scope.
 const RENEWED: usize = 3;
-
-/// The names in one display.
-struct Named {
-    /// Those that it gives a formula.
-    introduced: Vec<Name>,
-    /// All of them.
-    used: Vec<Name>,
-    /// Those with a dot, or under d/dt.
-    moving: Vec<Name>,
-}
 
 /// The names in the displays of notes, and where sections begin.
 pub(crate) struct Outline {
@@ -55,6 +48,11 @@ pub(crate) struct Outline {
     /// The displays with which a section begins, and those with which a chapter begins.
     sections: Vec<usize>,
     chapters: HashSet<usize>,
+    /// The same, with what begins there.
+    marks: Vec<Mark>,
+    /// The displays with which a system begins.
+    systems: Vec<usize>,
+    macros: Macros,
 }
 
 impl Outline {
@@ -62,24 +60,20 @@ impl Outline {
     pub fn of(notes: &Notes) -> Outline {
         let mut macros = Macros::default();
         define_macros(&notes.macros, &mut macros);
-        let named = |display: &Display| {
-            let usages = names_of(std::slice::from_ref(display), &macros);
-            let is_introduced = |usage: &&Usage| usage.introduced.is_some();
-            Named {
-                introduced: usages.iter().filter(is_introduced).map(|usage| usage.name.clone()).collect(),
-                used: usages.iter().map(|usage| usage.name.clone()).collect(),
-                moving: usages.iter().filter(|usage| usage.moves).map(|usage| usage.name.clone()).collect(),
-            }
-        };
-        let found = sections(notes);
+        let marks = headings::marks(notes);
+        let found: Vec<&Mark> = marks.iter().filter(|mark| mark.begins_a_section()).collect();
         // Where there are headings below those of the highest level, the latter are those of chapters.
-        let highest = found.iter().map(|(_, level)| *level).min();
-        let has_lower = found.iter().any(|(_, level)| Some(*level) > highest && *level < RUN_IN);
-        let chapters = found.iter().filter(|(_, level)| has_lower && Some(*level) == highest);
+        let highest = found.iter().map(|mark| mark.level).min();
+        let has_lower = found.iter().any(|mark| Some(mark.level) > highest && mark.level < RUN_IN);
+        let chapters = found.iter().filter(|mark| has_lower && Some(mark.level) == highest);
+        let names: Vec<Named> = notes.equations.iter().map(|display| Named::of(display, &macros)).collect();
         Outline {
-            names: notes.equations.iter().map(named).collect(),
-            chapters: chapters.map(|(at, _)| *at).collect(),
-            sections: found.into_iter().map(|(at, _)| at).collect(),
+            chapters: chapters.map(|mark| mark.at).collect(),
+            sections: found.iter().map(|mark| mark.at).collect(),
+            systems: systems::starts(notes, &names, &marks),
+            marks: found.into_iter().copied().collect(),
+            names,
+            macros,
         }
     }
 
@@ -91,89 +85,63 @@ impl Outline {
 
     /// The display at which the scope that begins with the `first`-th display ends.
     fn end(&self, first: usize) -> usize {
-        let all = self.names.len().min(first + WITHOUT_SECTIONS);
+        let next = self.systems.iter().skip(1).copied().find(|start| *start > first);
+        let all = next.unwrap_or(self.names.len()).min(first + WITHOUT_SECTIONS);
         let starts: Vec<usize> =
             self.sections.iter().copied().filter(|start| *start > first && *start < all).chain([all]).collect();
         let mut known: Vec<&Name> = self.names[first..starts[0]].iter().flat_map(|named| &named.introduced).collect();
         for (start, next) in starts.iter().zip(&starts[1..]) {
             let here = || self.names[*start..*next].iter().flat_map(|named| &named.introduced);
             let renewed: HashSet<&Name> = here().filter(|name| known.contains(name)).collect();
-            let is_lagrangian = |name: &&Name| ["L", "\\mathcal{L}"].contains(&name.base.as_str());
+            let is_another_example =
+                self.siblings(*start).any(|earlier| earlier >= first && self.renews(earlier, (*start, *next)));
             let is_chapter = self.chapters.contains(start) && *start >= first + SHORT;
-            if is_chapter || *start >= first + LONGEST || renewed.len() >= RENEWED || renewed.iter().any(is_lagrangian)
-            {
+            let is_renewed =
+                renewed.len() >= RENEWED || renewed.iter().any(|name| is_lagrangian(name)) || is_another_example;
+            if is_chapter || *start >= first + LONGEST || is_renewed {
                 return *start;
             }
             known.extend(here());
         }
         all
     }
-}
 
-/// The places of the displays with which a section begins, each with the level of its heading.
-fn sections(notes: &Notes) -> Vec<(usize, usize)> {
-    let mut found: Vec<(usize, usize)> = Vec::new();
-    let mut displays = notes.equations.iter().enumerate().peekable();
-    for (heading, level) in headings(&notes.source.text) {
-        let mut is_inside = false;
-        while let Some((_, display)) = displays.next_if(|(_, display)| display.span.start < heading) {
-            is_inside = display.span.end > heading;
-        }
-        // A row of a display may look like the line under a heading.
-        if is_inside {
-            continue;
-        }
-        match (displays.peek(), found.last_mut()) {
-            (Some((at, _)), Some((last, above))) if last == at => *above = level.min(*above),
-            (Some((at, _)), _) => found.push((*at, level)),
-            (None, _) => {}
-        }
+    /// The earlier examples of the same section, by their first displays, if an example begins with a display.
+    fn siblings(&self, start: usize) -> impl Iterator<Item = usize> {
+        let own = self.marks.iter().find(|mark| mark.at == start).and_then(|mark| Some((mark.level, mark.example?)));
+        let is_first = |(level, example): (usize, usize)| level < example;
+        let level = own.filter(|own| !is_first(*own)).map_or(0, |(_, level)| level);
+        let before = self.marks.iter().rev().filter(move |mark| mark.at < start);
+        // A section of a higher level has examples of its own.
+        let same = before.take_while(move |mark| mark.level >= level && level > 0);
+        same.filter(|mark| mark.example.is_some()).map(|mark| mark.at)
     }
-    found
-}
 
-/// The places of headings in a text, with their levels: of Markdown, as which other formats are read, and of TeX.
-fn headings(text: &str) -> Vec<(usize, usize)> {
-    let (mut found, mut start, mut before) = (Vec::new(), 0, "");
-    for line in text.split_inclusive('\n') {
-        let content = line.trim();
-        let is_underline = content.len() >= 3
-            && content.starts_with(['=', '-'])
-            && content.bytes().all(|byte| content.starts_with(char::from(byte)))
-            && before.len() > 1
-            && before.len() <= content.len();
-        let marked = content.trim_start_matches('#');
-        let is_marked = marked.len() < content.len() && content.len() - marked.len() <= 6 && marked.starts_with(' ');
-        let commands = ["\\part{", "\\chapter{", "\\section{", "\\subsection{", "\\subsubsection{"];
-        let plain = content.replace('*', "");
-        let command = commands.iter().position(|command| plain.starts_with(command));
-        let environments = ["\\begin{exercise", "\\begin{problem", "\\begin{example", "\\begin{solution"];
-        let is_exercise = environments.iter().any(|begin| content.starts_with(begin));
-        let level = match command {
-            Some(level) => Some(level + 1),
-            None if is_marked => Some(content.len() - marked.len()),
-            None if is_underline || is_exercise => Some(LOWEST),
-            None => (before.is_empty() && is_run_in(content)).then_some(RUN_IN),
+    /// Whether some displays give a name another formula than an earlier example does, the one that begins with the `example`-th display.
+    fn renews(&self, example: usize, (start, next): (usize, usize)) -> bool {
+        let end = self.sections.iter().copied().find(|start| *start > example).unwrap_or(self.names.len());
+        let earlier = || self.names[example..end.min(start)].iter();
+        let is_other = |named: &Named, name: &Name| {
+            earlier().any(|earlier| earlier.introduced.contains(name) && earlier.printed != named.printed)
         };
-        found.extend(level.map(|level| (start, level)));
-        (start, before) = (start + line.len(), content);
+        self.names[start..next].iter().any(|named| named.introduced.iter().any(|name| is_other(named, name)))
     }
-    found
-}
 
-/// Whether a paragraph that begins with this line begins with a heading of its own.
-fn is_run_in(line: &str) -> bool {
-    let line = line.trim_start_matches("\\noindent").trim_start();
-    let is_bold = line.strip_prefix("**").is_some_and(|rest| rest.contains("**"));
-    is_bold
-        || ["\\textbf{", "\\paragraph{", "\\subparagraph{"]
-            .iter()
-            .any(|command| line.replace('*', "").starts_with(command))
+    /// Whether a display before a scope may hold in it: it is of the same system, or stands before all systems; and it is of no
+    /// example that gives a letter another formula than the example does with which the scope begins.
+    fn may_hold(&self, at: usize, (first, end): (usize, usize)) -> bool {
+        let system = |at: usize| self.systems.iter().rposition(|start| *start <= at);
+        let section = |at: usize| self.sections.iter().copied().rfind(|start| *start <= at);
+        let next = self.sections.iter().copied().find(|start| *start > first).unwrap_or(end).min(end);
+        let example = section(at).filter(|section| self.siblings(first).any(|sibling| sibling == *section));
+        (system(at).is_none() || system(at) == system(first))
+            && example.is_none_or(|example| !self.renews(example, (first, next)))
+    }
 }
 
 /// The scope that begins with the `first`-th display, and the notes with its displays only, after those that are carried over.
-pub(crate) fn from(run: &Run<'_>, notes: &Notes, first: usize, outline: &Outline) -> (Notes, Scope) {
-    let end = if run.only.is_some() { notes.equations.len() } else { outline.end(first) };
+pub(crate) fn from(notes: &Notes, first: usize, outline: &Outline) -> (Notes, Scope) {
+    let end = outline.end(first);
     let inside = &outline.names[first..end];
     let mut known: HashSet<&Name> = inside.iter().flat_map(|named| &named.introduced).collect();
     let mut used: HashSet<&Name> = inside.iter().flat_map(|named| &named.used).collect();
@@ -182,10 +150,16 @@ pub(crate) fn from(run: &Run<'_>, notes: &Notes, first: usize, outline: &Outline
     let before = outline.of_renewed_function(first);
     for at in (0..first).rev().take(FAR_BACK) {
         let Named { introduced, used: needs, .. } = &outline.names[at];
-        let is_wanted = introduced.iter().any(|name| used.contains(name));
+        // `L = T - V` holds for the energies of the scope.
+        let is_sum = introduced.iter().any(is_lagrangian)
+            && needs.iter().all(|name| is_lagrangian(name) || is_energy(name) && known.contains(name));
+        let is_wanted = introduced.iter().any(|name| used.contains(name)) || is_sum;
         // A coordinate of the scope is not given by names of another one: φ = θ − θ₀, where the scope has φ̇ and no θ.
         let is_coordinate = introduced.iter().any(|name| moving.contains(name));
         let is_foreign = is_coordinate && !needs.iter().any(|name| !introduced.contains(name) && used.contains(name));
+        if !outline.may_hold(at, (first, end)) {
+            continue;
+        }
         // A place r_m that was found with another formula for U(r) is another one with this.
         let is_place = |name: &Name| {
             let axis = Name { subscript: Vec::new(), ..name.clone() };
@@ -210,22 +184,20 @@ pub(crate) fn from(run: &Run<'_>, notes: &Notes, first: usize, outline: &Outline
     let starts = outline.sections.iter().filter(|start| inside.contains(start)).map(offset).collect();
     let mut notes = notes.clone();
     notes.equations = equations;
+    if outline.systems.len() > 1 {
+        notes = without_names_of_others(&notes, outline, carried.len());
+    }
     (notes, Scope { carried: carried.len(), sections: starts, links: Vec::new() })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn headings_of_each_format_are_found_and_rules_are_not() {
-        assert_eq!(headings("# A\n\ntext\n## B\n"), [(0, 1), (10, 2)]);
-        assert_eq!(headings("text\n\\section*{A}\n"), [(5, 3)]);
-        assert_eq!(headings("Name\n----\n"), [(5, LOWEST)]);
-        assert_eq!(headings("text\n\n**2. Dipole.** The field\n"), [(6, RUN_IN)]);
-        assert_eq!(headings("\\paragraph{Force}\n"), [(0, RUN_IN)]);
-        assert!(headings("text\n\n---\n#tag\n= 3\n").is_empty());
-        assert!(headings("a\n**b** c\n\nthe **d** e\n").is_empty());
-        assert!(headings("a = b\n").is_empty());
+/// The notes of a scope, in which each `L = T - V = …` is `L = …`, if T and V have formulas in other systems only.
+fn without_names_of_others(notes: &Notes, outline: &Outline, carried: usize) -> Notes {
+    let mut own = notes.clone();
+    let inside = notes.equations.get(carried..).unwrap_or_default();
+    if let (Some(first), Some(last)) = (inside.first(), inside.last()) {
+        own.inline.retain(|span| first.span.start <= span.start + NEAR && span.start <= last.span.end);
     }
+    let mut read = notes.clone();
+    read.equations = open_energies::without_names(&own, &outline.macros, &|_| false).into_owned().equations;
+    read
 }

@@ -1,10 +1,12 @@
 //! Displays that hold, or do not, only by a reading that the author may not have meant: energies without a formula are no
-//! constants, derivatives of what has no formula are not 0, and vectors and matrices are no numbers.
+//! constants, derivatives of what has no formula are not 0, vectors and matrices are no numbers, and the Euler–Lagrange equation in
+//! a general q is not about the Lagrangian of one system, which contains no q.
 //!
 //! Offers `unclear`, the finding on such a display. Knows the course, and LaTeX.
 
 mod derivatives;
 mod differentiated;
+mod general_laws;
 mod integrals;
 
 use crate::check::document::inferred::open_energies::is_energy;
@@ -29,7 +31,14 @@ impl Course<'_, '_> {
 
     /// The finding on a display of which the reading may not be what is meant.
     pub(in crate::check::unaided::course) fn unclear(&self, at: usize, found: &Equation) -> Option<Equation> {
+        if self.is_general_law(at) {
+            let message = "a general law in a coordinate that the Lagrangian does not contain, so it was not checked";
+            return Some(gate::settled(found, (Verdict::Definition, Code::Introduced), message.to_owned()));
+        }
         let passes = found.finding.verdict.passes() && found.finding.verdict != Verdict::Definition;
+        if (passes || found.finding.verdict == Verdict::Refuted) && self.uses_a_general_law(at) {
+            return Some(gate::left_open(found.clone()));
+        }
         let passes_in_part = || found.parts.iter().any(|part| is_passed(&part.finding));
         if (passes || passes_in_part()) && self.rests_on_lost_derivatives(at) {
             return Some(gate::left_open(found.clone()));
