@@ -122,14 +122,31 @@ fn is_condition_of_rest(checker: &Checker<'_>, wrong: &Reading, own: &Reading, p
 
 /// Whether a line holds where a name of the problem means what a false line says that it is, by itself or as a secular equation.
 fn redefines(checker: &Checker<'_>, from: usize, (at, own): (usize, &Reading), contexts: &[Claim]) -> bool {
-    let Some((place, text)) = definition_in_place(checker, from) else { return false };
+    let Some((place, text)) = definition_in_place(checker, from) else {
+        return redefined_holds(checker, from, (at, own));
+    };
     let options = Options { explain: false, ..checker.options };
     let none = Claim::default();
     let holds = |edited: &Checker<'_>| {
         let secular = contexts.iter().filter(|claim| claim.secular_for.is_some());
         std::iter::once(&none).chain(secular).any(|claim| matches!(status(edited, at, own, claim), Status::Holds(..)))
     };
-    checker.with_edited_text(options, place, &text, holds).unwrap_or(false)
+    checker.with_edited_text(options, place, &text, holds).unwrap_or(false) || redefined_holds(checker, from, (at, own))
+}
+
+/// The same in a model in which the name has the formula of the false line, where the display that defines it says more.
+fn redefined_holds(checker: &Checker<'_>, from: usize, (at, own): (usize, &Reading)) -> bool {
+    let Some(Ok(Statement { members, .. })) = checker.readings[from].statements.first() else { return false };
+    let [first, formula, ..] = members.as_slice() else { return false };
+    let Some(name) = first.as_plain_symbol() else { return false };
+    let is_defined = matches!(checker.model.meaning(name), Some(Meaning::Defined(_)));
+    if !is_defined || checker.model.depends_on(formula, &[name]) {
+        return false;
+    }
+    let mut model = checker.model.clone();
+    model.redefine(name, formula.clone());
+    let edited = Checker { model: &model, units: None, ..*checker };
+    matches!(status(&edited, at, own, &Claim::default()), Status::Holds(..))
 }
 
 /// The display that defines the name that a false line gives another formula, and what the line would make of it.

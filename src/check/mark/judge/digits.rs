@@ -24,10 +24,12 @@ impl Judge<'_, '_> {
         let spanned = |(text, _): &(String, String)| Spanned::new(text.clone(), Span::default());
         let under = Claim { assume: self.conditions.iter().map(spanned).collect(), ..Claim::default() };
         let sets: Vec<_> = [&Claim::default(), &under].into_iter().map(|claim| self.quiet.hypotheses(claim)).collect();
-        // Under conditions a number is rounded, though = stands before it.
+        // Under conditions a number is rounded, though = stands before it. So is a decimal before letters.
         let is_approximate = |relation: Relation, pair: &[Expr]| {
-            let is_number = !self.conditions.is_empty() && pair[1].symbols().is_empty();
-            relation == Relation::Approximately || relation == Relation::Equal && is_number
+            let is_number = pair[1].symbols().is_empty();
+            let is_rounded =
+                if is_number { !self.conditions.is_empty() } else { rounded::is_decimal_multiple(&pair[1]) };
+            relation == Relation::Approximately || relation == Relation::Equal && is_rounded
         };
         let mut any = false;
         let all = reading.statements.iter().all(|statement| {
@@ -84,9 +86,28 @@ impl Judge<'_, '_> {
         wrong.iter().rev().find(|at| fits(&[**at])).or(wrong.last()).copied()
     }
 
+    /// A chain without the number at its end, where that is the value of the formula before it: whether the line is carried, the formula
+    /// says.
+    pub(super) fn before_a_true_number(&self, display: usize, reading: &Reading) -> Option<Reading> {
+        let [Ok(statement)] = reading.statements.as_slice() else { return None };
+        let [.., formula, number] = statement.members.as_slice() else { return None };
+        let length = statement.members.len();
+        if length < 3 || !self.details || !number.symbols().is_empty() || formula.symbols().is_empty() {
+            return None;
+        }
+        let part = |from: usize, to: usize| {
+            let (members, relations) = (&statement.members[from..to], &statement.relations[from..to - 1]);
+            let part = Statement { members: members.to_vec(), relations: relations.to_vec(), ..statement.clone() };
+            Reading { statements: vec![Ok(part)], introduced: Vec::new() }
+        };
+        let text = &self.quiet.notes.equations[display].text;
+        let is_value = self.known_with_the_problem().fits(self.quiet, text, &part(length - 2, length), |_| false);
+        is_value.then(|| part(0, length - 1))
+    }
+
     /// What is known of numbers, by the lines before a line, by the data of the hand-in and of the problem, and by what the problem
     /// prints.
-    fn known_with_the_problem(&self) -> Known {
+    pub(super) fn known_with_the_problem(&self) -> Known {
         self.known.or(&self.data).or(&self.printed())
     }
 

@@ -173,6 +173,10 @@ impl Judge<'_, '_> {
             self.implied.extend(all);
             return Ok(Some(given(because)));
         }
+        if self.ends_in_a_condition(at, reading) {
+            self.add_condition(at);
+            return Ok(Some(right("follows from the problem, and its last member is a condition")));
+        }
         if energies::has_another_zero(self.quiet, display, reading) {
             return Ok(Some(right("agrees, with another zero of the potential energy")));
         }
@@ -260,7 +264,12 @@ impl Judge<'_, '_> {
         if let Some(start) = self.carried_number(display, reading).or_else(|| self.carried_from_a_trial(reading)) {
             return Ok(Some(start));
         }
-        if let Some(start) = self.starts_as_a_false_line(display, reading) {
+        if let Some(rest) = self.before_a_true_number(display, reading)
+            && let Some(start) = self.carried_from(at, &rest)?
+        {
+            return Ok(Some(start));
+        }
+        if let Some(start) = self.carried_root(reading).or_else(|| self.starts_as_a_false_line(display, reading)) {
             return Ok(Some(start));
         }
         let own = self.displays(|line| line.verdict == Some(Verdict::Definition));

@@ -36,10 +36,12 @@ mod extrema;
 mod false_line;
 mod instants;
 mod readings;
+mod rest;
 mod secular;
 mod supposed;
 mod trial;
 mod units;
+mod upright;
 
 use readings::{Break, free_of, with_dots};
 
@@ -202,6 +204,10 @@ impl Judge<'_, '_> {
         if matches!(status, Status::Open(..)) && self.is_rounded(display, &reading) {
             (status, under) = (Status::Holds(Verdict::Verified), Some("agrees to the printed digits".into()));
         }
+        if matches!(status, Status::Open(..) | Status::False(_)) && self.is_right_with_units(display) {
+            (status, under) =
+                (Status::Holds(Verdict::Verified), Some("agrees to the printed digits, with letters as units".into()));
+        }
         if self.details && energies::is_sum_of_energies(self.quiet, &reading) {
             (line.mark, line.verdict) = (Mark::Wrong, Some(Verdict::Refuted));
             line.because = "is not the Lagrangian, which is the kinetic minus the potential energy".into();
@@ -227,6 +233,9 @@ impl Judge<'_, '_> {
                 line.because = apart.or(under).unwrap_or(Because::Follows);
             }
             Status::Given(verdict, what) => {
+                if verdict == Verdict::Definition {
+                    self.known.add(&reading, false);
+                }
                 (line.mark, line.verdict, line.because) = (Mark::Given, Some(verdict), what.into());
             }
             // In a state it cannot be put to the test, as e^{i\omega t} has none.
@@ -235,12 +244,15 @@ impl Judge<'_, '_> {
                 line.because = false_line::TRIAL.into();
             }
             Status::Open(verdict, message) => {
+                let message = self.world.with_own_names(&message);
                 (line.mark, line.verdict, line.because) = (Mark::Open, Some(verdict), message.into());
             }
             Status::Unread(message) => {
+                let message = self.world.with_own_names(&message);
                 (line.mark, line.verdict, line.because) = (Mark::Unread, Some(Verdict::Unreadable), message.into());
             }
             Status::False(_) if self.is_at_an_extremum(at, &reading, &mut line) => {}
+            Status::False(_) if self.is_at_rest(at, &reading, &mut line) => {}
             Status::False(finding) => {
                 if let Some(said) = near_rest::of_the_frequency(self.quiet, self.world, &self.quiet.readings[display]) {
                     self.premises[display] = said;
