@@ -101,18 +101,28 @@ impl Known {
     /// The symbols that have numbers by themselves, or by formulas of symbols that have, and what the relations say.
     fn numbers(&self, checker: &Checker<'_>) -> Vec<((SymbolId, u8), Expr)> {
         let mut closed: Vec<((SymbolId, u8), Expr)> = Vec::new();
-        for pass in 0..2 * DEEPEST {
-            let last = self.last.iter().filter(|_| pass >= DEEPEST);
+        let mut with_last = false;
+        for _ in 0..2 * DEEPEST {
+            let known = closed.len();
+            let last = self.last.iter().filter(|_| with_last);
             for (id, value) in self.values.iter().chain(last) {
-                let is_new = closed.iter().all(|(known, _)| known != id);
+                if closed.iter().any(|(known, _)| known == id) {
+                    continue;
+                }
                 let value = inserted(&inserted(value, &closed), &self.relations);
-                let is_number = || match value.symbols().is_empty() {
+                let is_number = match value.symbols().is_empty() {
                     true => true,
                     false => !self.relations.is_empty() && number(checker, &value).is_some(),
                 };
-                if is_new && is_number() {
+                if is_number {
                     closed.push((*id, value));
                 }
+            }
+            if closed.len() == known {
+                if with_last {
+                    break;
+                }
+                with_last = true;
             }
         }
         closed.extend(

@@ -1,5 +1,7 @@
 //! The slip in a wrong line: what was lost, and the edit that corrects it.
 
+use std::cell::OnceCell;
+
 use crate::Result;
 use crate::latex::slips::{Edit, Pool, Slip};
 use crate::latex::{Reading, names, read_formula, slips};
@@ -40,6 +42,7 @@ pub(super) fn lost(slip: Slip) -> Lost {
 }
 
 /// A slip with the edit of the document that corrects it.
+#[derive(Clone, Debug)]
 pub(super) struct Corrected {
     /// The slip, at its place in the hand-in.
     pub slip: Slipped,
@@ -47,16 +50,33 @@ pub(super) struct Corrected {
     pub text: String,
 }
 
-/// The most likely slip in a wrong line, and what the derivation says instead.
-///
-/// # Errors
-/// As for a check of the line.
-pub(super) fn found(
-    run: &Run<'_>,
-    checker: &Checker<'_>,
-    world: &World<'_>,
-    at: usize,
-) -> Result<(Option<Corrected>, Option<Slipped>, Option<Derived>)> {
+/// The most likely slip in a wrong line, with its correction or without one, and what the derivation says instead.
+type Found = (Option<Corrected>, Option<Slipped>, Option<Derived>);
+
+/// The slips in lines, each sought once.
+pub(super) struct Slips(Vec<OnceCell<Found>>);
+
+impl Slips {
+    /// Those of so many lines.
+    pub fn of(lines: usize) -> Slips {
+        Slips(vec![OnceCell::new(); lines])
+    }
+
+    /// The slip in a line.
+    ///
+    /// # Errors
+    /// As for a check of the line.
+    pub fn found(&self, run: &Run<'_>, checker: &Checker<'_>, world: &World<'_>, at: usize) -> Result<Found> {
+        let known = self.0.get(at).and_then(OnceCell::get).cloned();
+        if let Some(known) = known {
+            return Ok(known);
+        }
+        let found = found(run, checker, world, at)?;
+        Ok(self.0.get(at).map_or_else(|| found.clone(), |cell| cell.get_or_init(|| found.clone()).clone()))
+    }
+}
+
+fn found(run: &Run<'_>, checker: &Checker<'_>, world: &World<'_>, at: usize) -> Result<Found> {
     let display = world.first + at;
     if world.display(at).text.len() > LONGEST {
         return Ok((None, None, None));

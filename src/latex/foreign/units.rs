@@ -101,12 +101,14 @@ pub(super) fn numbers(text: &str) -> Vec<Span> {
         let length = bytes[at..].iter().take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count();
         let before = text[..at].trim_end_matches('{');
         let below = before.trim_end_matches('-').trim_end_matches('{');
+        let commands = ["\\frac", "\\dfrac", "\\tfrac", "\\sqrt"];
+        let is_argument = before.len() < at && commands.iter().any(|command| before.ends_with(command));
         if let Some(base) = below.strip_suffix('^') {
             // `10^3` and `10^{-3}` end a number.
             if base.ends_with("10") {
                 found.push(Span::new(at, at + length + usize::from(text[at + length..].starts_with('}'))));
             }
-        } else if !before.ends_with('_') && !before.ends_with(|c: char| c.is_ascii_alphabetic()) {
+        } else if !before.ends_with('_') && (!before.ends_with(|c: char| c.is_ascii_alphabetic()) || is_argument) {
             found.push(Span::new(at, at + length));
         }
         at += length;
@@ -328,6 +330,7 @@ mod tests {
             r"v = \sqrt{2 \cdot 3.24 \cdot 1.5}"
         );
         assert_eq!(plain(r"s = \frac{3}{2}\,\text{cm}"), r"s = \frac{3}{2} \cdot 10^{-2}");
+        assert_eq!(plain(r"\mu = \frac{3.27\,\text{N}}{17.0\,\text{N}}"), r"\mu = \frac{3.27}{17.0}");
         assert_eq!(plain(r"v = 90\,\text{km/h}"), r"v = 90 \cdot 60^{-2} \cdot 10^{3}");
         assert_eq!(plain(r"t = 5\,\text{min}"), r"t = 5 \cdot 60^{1}");
         assert_eq!(plain(r"v = 4.4\,\frac{\mathrm m}{\mathrm s^2}"), "v = 4.4");

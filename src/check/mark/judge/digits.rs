@@ -77,7 +77,7 @@ impl Judge<'_, '_> {
         let fits = |from: &[usize]| {
             let said = from.iter().map(|at| &self.premises[self.world.first + at]);
             let holds = |link: &Reading| matches!(self.status(display, link).0, Status::Holds(_));
-            let known = self.known.supposing(said).or(&self.data).or_of_others(&self.printed().formulas());
+            let known = self.known.supposing(said).or(&self.data).or_of_others(&self.printed.clone().formulas());
             known.fits(self.quiet, text, reading, holds)
         };
         if !self.details || wrong.is_empty() || !fits(&wrong) {
@@ -108,25 +108,25 @@ impl Judge<'_, '_> {
     /// What is known of numbers, by the lines before a line, by the data of the hand-in and of the problem, and by what the problem
     /// prints.
     pub(super) fn known_with_the_problem(&self) -> Known {
-        self.known.or(&self.data).or(&self.printed())
+        self.known.or(&self.data).or(&self.printed)
     }
+}
 
-    /// What the problem prints, and what its claims file says that a name stands for.
-    fn printed(&self) -> Known {
-        let mut printed = Known::default();
-        let model = self.quiet.model;
-        for (id, entry) in model.symbols.iter() {
-            if let Some(Meaning::Defined(formula)) = model.meaning(id)
-                && self.world.problem.names.symbols.find(&entry.name).is_some()
-            {
-                printed.add_formula(id, formula.as_ref().clone());
-            }
+/// What the problem prints, and what its claims file says that a name stands for.
+pub(super) fn printed(checker: &Checker<'_>, world: &World<'_>) -> Known {
+    let mut printed = Known::default();
+    let model = checker.model;
+    for (id, entry) in model.symbols.iter() {
+        if let Some(Meaning::Defined(formula)) = model.meaning(id)
+            && world.problem.names.symbols.find(&entry.name).is_some()
+        {
+            printed.add_formula(id, formula.as_ref().clone());
         }
-        for at in 0..self.world.problem.notes.equations.len() {
-            printed.add(&self.quiet.readings[at], false);
-        }
-        printed.with_numbers_last()
     }
+    for at in 0..world.problem.notes.equations.len() {
+        printed.add(&checker.readings[at], false);
+    }
+    printed.with_numbers_last()
 }
 
 /// The numbers that the text of the problem and all of a hand-in give to constants: also those that come after the line in which

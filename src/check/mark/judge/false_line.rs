@@ -157,6 +157,7 @@ impl Judge<'_, '_> {
         if !self.is_about_a_trial(reading)
             && !self.ends_are_false(display, reading)
             && let Some(implied) = Implied::by(self.quiet, (&self.world.declared, &self.open), reading)
+            && !self.is_a_constant_that_moves(&implied)
             && let Some(all) = self.given_by(display, reading, implied.clone())
             && (self.names_the_last(display, reading, &implied)
                 || self.is_another_variable(reading, &implied)
@@ -186,6 +187,9 @@ impl Judge<'_, '_> {
             }
             self.known.add(reading, false);
             return Ok(Some(right("agrees to the printed digits, with the numbers that are given")));
+        }
+        if let Some(name) = self.follows_with_a_later_line(at, reading) {
+            return Ok(Some(right(format!("follows with what {name} says"))));
         }
         if let Some(name) = self.follows_under_a_condition(reading) {
             return Ok(Some(right(format!("follows under the condition of {name}"))));

@@ -91,7 +91,9 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Riv
             breaks: Vec::new(),
             known: Known::default(),
             data: digits::data(&quiet, world),
+            printed: digits::printed(&quiet, world),
             trials: Vec::new(),
+            slips: slip::Slips::of(world.written.len()),
             lines: Vec::new(),
         };
         for at in 0..world.written.len() {
@@ -100,12 +102,12 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Riv
                 return Ok(Judged { lines: judge.lines, found: Vec::new() });
             }
         }
-        let (mut lines, premises) = (judge.lines, judge.premises);
+        let (mut lines, premises, slips) = (judge.lines, judge.premises, judge.slips);
         let mut corrected = vec![None; lines.len()];
         if details {
             for at in 0..lines.len() {
                 if lines[at].mark == Mark::Wrong {
-                    let (edit, fitted, derived) = slip::found(run, &checker, world, at)?;
+                    let (edit, fitted, derived) = slips.found(run, &checker, world, at)?;
                     lines[at].slip = edit.as_ref().map(|edit| edit.slip.clone()).or(fitted);
                     lines[at].derived = derived;
                     corrected[at] = edit.map(|edit| edit.text);
@@ -146,8 +148,11 @@ struct Judge<'j, 'c> {
     known: Known,
     /// The numbers that the problem and the whole hand-in give.
     data: Known,
+    /// What the problem prints, and what its claims file says that a name stands for.
+    printed: Known,
     /// The trial solutions.
     trials: Vec<trial::Trial>,
+    slips: slip::Slips,
     lines: Vec<Line>,
 }
 
@@ -203,6 +208,12 @@ impl Judge<'_, '_> {
         // ≈ is = beside a number.
         if matches!(status, Status::Open(..)) && self.is_rounded(display, &reading) {
             (status, under) = (Status::Holds(Verdict::Verified), Some("agrees to the printed digits".into()));
+        }
+        if matches!(status, Status::False(_))
+            && let Some(other) = self.in_the_other_order(display)
+        {
+            self.premises[display] = other;
+            (status, under) = (Status::Holds(Verdict::Verified), Some(Because::OtherOrder));
         }
         if matches!(status, Status::Open(..) | Status::False(_)) && self.is_right_with_units(display) {
             (status, under) =
@@ -303,6 +314,9 @@ impl Judge<'_, '_> {
         let mut all = std::iter::once(&none).chain(&self.world.problem.contexts);
         if of_frequency.as_ref().is_some_and(|said| all.any(|claim| self.holds_under(&checker, display, said, claim))) {
             return (Status::Holds(Verdict::Verified), Some("follows for a small deviation".into()));
+        }
+        if self.are_the_roots(&checker, display, reading) {
+            return (Status::Holds(Verdict::Verified), Some("gives the roots of an equation of the problem".into()));
         }
         for (at, context) in self.world.problem.contexts.iter().enumerate() {
             // While the motion stays at a place there is no deviation, and anything holds of it.

@@ -11,6 +11,7 @@ use crate::check::mark::given;
 use crate::check::mark::marked::Mark;
 use crate::check::mark::status::{Status, status};
 use crate::check::model::claim::Link;
+use crate::check::model::meaning::Meaning;
 
 use super::Judge;
 
@@ -55,6 +56,32 @@ impl Judge<'_, '_> {
 }
 
 impl Judge<'_, '_> {
+    /// What a line says with its two signs in the other order, if that is true: the problem may number the values the other way round.
+    pub(super) fn in_the_other_order(&self, display: usize) -> Option<Reading> {
+        let text = &self.quiet.notes.equations[display].text;
+        if !self.details || !text.contains("_{1,2}") || !text.contains("\\pm") {
+            return None;
+        }
+        let pieces: Vec<String> = text.split("\\pm").map(|piece| piece.replace("\\mp", "\\pm")).collect();
+        let other = self.quiet.as_printed(&pieces.join("\\mp"), &Claim::default(), &self.quiet.model.macros);
+        matches!(self.status(display, &other).0, Status::Holds(_)).then_some(other)
+    }
+
+    /// Whether a line with two signs gives what moves both values that it has under hypotheses of the problem: the turning points, where
+    /// the velocity vanishes.
+    pub(super) fn are_the_roots(&self, checker: &Checker<'_>, display: usize, reading: &Reading) -> bool {
+        let is_moving = |statement: &Statement| {
+            let id = statement.members.first().and_then(Expr::as_plain_symbol);
+            id.is_some_and(|id| matches!(checker.model.meaning(id), Some(Meaning::Coordinate(_) | Meaning::Varying(_))))
+        };
+        if !self.details || !reading.statements.iter().flatten().all(is_moving) {
+            return false;
+        }
+        let Some(product) = one_equation(reading) else { return false };
+        let mut contexts = self.world.problem.contexts.iter().filter(|claim| !claim.assume.is_empty());
+        contexts.any(|claim| self.holds_under(checker, display, &product, claim))
+    }
+
     /// The false equation, by its place among the lines, of which a line gives the roots: it holds with each of them in the place of the
     /// power that the line gives.
     pub(super) fn carried_root(&self, reading: &Reading) -> Option<usize> {

@@ -20,7 +20,7 @@ use crate::check::mark::marked::Mark;
 use crate::check::mark::names::{Letters, Names, Role, StandsFor};
 use crate::check::mark::problem::{self, Problem};
 use crate::check::mark::world::World;
-use crate::check::mark::written::{Written, accelerations, functions, instants, single_letters, written};
+use crate::check::mark::written::{Written, accelerations, functions, instants, signs, single_letters, written};
 
 /// The most ways that are tried.
 const WAYS: usize = 60;
@@ -41,6 +41,7 @@ pub(in crate::check::mark) fn best(
     define_macros(&notes.macros, &mut macros);
     let mut lines = written(notes, &macros);
     instants::without_ohms(&mut lines, &problem.names);
+    signs::named(&mut lines, &problem.names);
     accelerations::named(&mut lines, &problem.names, &problem.notes);
     let mut instants = instants::named(&mut lines, &problem.names);
     functions::of_constants(&mut lines, &problem.names, &mut instants);
