@@ -16,11 +16,15 @@ use super::Judge;
 impl Judge<'_, '_> {
     /// Whether a display is right to its printed digits if the letters after its numbers are units.
     pub(super) fn is_right_with_units(&self, display: usize) -> bool {
-        let Some(text) = foreign::with_upright_units(&self.quiet.notes.equations[display].text) else { return false };
+        let Some(upright) = foreign::with_upright_units(&self.quiet.notes.equations[display].text) else {
+            return false;
+        };
         let macros = &self.quiet.model.macros;
-        let text = renamed(&text, macros, &HashMap::new()).text;
+        let text = renamed(&upright, macros, &HashMap::new()).text;
         let reading = self.with_known(self.quiet.as_printed(&text, &Claim::default(), macros));
         let known = self.known_with_the_problem();
-        known.fits(self.quiet, &text, &reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
+        let has_its_unit = self.wrong_unit_in(display - self.world.first, &upright, &reading).is_none();
+        has_its_unit
+            && known.fits(self.quiet, &text, &reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
     }
 }
