@@ -29,14 +29,22 @@ mod mark;
 mod mark_cases;
 #[path = "cli/mark_classes.rs"]
 mod mark_classes;
+#[path = "cli/mark_conditions.rs"]
+mod mark_conditions;
 #[path = "cli/mark_extrema.rs"]
 mod mark_extrema;
 #[path = "cli/mark_letters.rs"]
 mod mark_letters;
+#[path = "cli/mark_meanings.rs"]
+mod mark_meanings;
 #[path = "cli/mark_motion.rs"]
 mod mark_motion;
 #[path = "cli/mark_numbers.rs"]
 mod mark_numbers;
+#[path = "cli/mark_problems.rs"]
+mod mark_problems;
+#[path = "cli/mark_rounding.rs"]
+mod mark_rounding;
 #[path = "cli/mark_starts.rs"]
 mod mark_starts;
 #[path = "cli/mark_states.rs"]

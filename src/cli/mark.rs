@@ -50,6 +50,9 @@ pub struct Arguments {
     seed: u64,
 }
 
+/// The endings of claims files and of tables of marks, which may lie beside hand-ins.
+const OF_THE_TEACHER: [&str; 2] = ["json", "csv"];
+
 /// The form of the output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Form {
@@ -100,12 +103,15 @@ fn marked(arguments: &Arguments, registry: &Registry) -> Result<(Vec<Marked>, St
     let run = Run { registry, options, only: None, progress: &() };
     let problem = Problem::prepare(&run, &claims, &notes)?;
     // What is held against the model solution would be held against every student who writes the same.
-    let warnings = of_the_model(&problem.mark(&run, &path, &notes.source.text));
+    let mut warnings = of_the_model(&problem.mark(&run, &path, &notes.source.text));
     let mut errors = Vec::new();
     let mut files = Vec::new();
     for path in &arguments.files {
         match hand_ins(path, &claims.notes_path()) {
-            Ok(found) => files.extend(found),
+            Ok((found, others)) => {
+                files.extend(found);
+                warnings += &passed_over(path, &others);
+            }
             Err(error) => errors.push(error),
         }
     }
@@ -149,14 +155,36 @@ fn of_the_model(model: &Marked) -> String {
     text
 }
 
-/// The hand-ins that a path names: the file, or the notes in a folder, without the problem's own.
-fn hand_ins(path: &Path, own: &Path) -> Result<Vec<PathBuf>> {
+/// A warning that names what in a folder was not marked, and why; nothing, if that is nothing.
+fn passed_over(folder: &Path, others: &[PathBuf]) -> String {
+    if others.is_empty() {
+        return String::new();
+    }
+    let why = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        match () {
+            () if path.is_dir() => format!("{name} is a folder"),
+            () if !path.exists() => format!("{name} leads to no file"),
+            () => format!("{name} is not .md, .tex or .txt"),
+        }
+    };
+    let all: Vec<String> = others.iter().map(why).collect();
+    format!(
+        "warning: {}: not marked: {}\n  help: name a folder inside as an argument of its own; save other files as .md, .tex or .txt\n\n",
+        folder.display(),
+        all.join("; ")
+    )
+}
+
+/// The hand-ins that a path names: the file, or the notes in a folder, without the problem's own; and what else is in the folder but for
+/// hidden files and files of the teacher.
+fn hand_ins(path: &Path, own: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>)> {
     if !path.is_dir() {
         if let Err(error) = path.metadata() {
             return Err(Error::new(format!("cannot read {}: {}", path.display(), reason(&error))));
         }
         return match crate::notes::document::Kind::of(path) {
-            Some(_) => Ok(vec![path.to_owned()]),
+            Some(_) => Ok((vec![path.to_owned()], Vec::new())),
             None => {
                 Err(Error::new(format!("{} is not a hand-in", path.display())).help("a hand-in is .md, .tex or .txt"))
             }
@@ -167,15 +195,18 @@ fn hand_ins(path: &Path, own: &Path) -> Result<Vec<PathBuf>> {
     let entries: std::io::Result<Vec<_>> = std::fs::read_dir(path).map_err(failed)?.collect();
     let mut files: Vec<PathBuf> = entries.map_err(failed)?.into_iter().map(|entry| entry.path()).collect();
     let own = own.canonicalize().ok();
-    files.retain(|file| {
-        let is_notes = crate::notes::document::Kind::of(file).is_some() && file.is_file();
-        is_notes && file.canonicalize().ok() != own
-    });
+    files.retain(|file| own.is_none() || file.canonicalize().ok() != own);
     files.sort();
+    let is_notes = |file: &PathBuf| crate::notes::document::Kind::of(file).is_some() && file.is_file();
+    let (files, mut others): (Vec<PathBuf>, Vec<PathBuf>) = files.into_iter().partition(is_notes);
+    others.retain(|file| {
+        let is_hidden = file.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
+        !is_hidden && !file.extension().is_some_and(|end| OF_THE_TEACHER.iter().any(|other| end == *other))
+    });
     match files.is_empty() {
         true => {
             Err(Error::new(format!("there is no hand-in in {}", path.display())).help("hand-ins are .md, .tex or .txt"))
         }
-        false => Ok(files),
+        false => Ok((files, others)),
     }
 }

@@ -109,6 +109,10 @@ fn corrected(marked: &Marked, line: &Line) -> Option<String> {
     Some(whole.trim_matches('$').split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
+/// What is said of a file without lines.
+const NO_FORMULA: &str =
+    "no formula was found in this file; write each formula in LaTeX between $ … $, such as $v = \\sqrt{2 a s}$";
+
 /// The rows of a class, as texts under [`COLUMNS`].
 pub fn rows(class: &[Marked], hints: Hints) -> Vec<[String; 13]> {
     let mut rows = Vec::new();
@@ -118,9 +122,10 @@ pub fn rows(class: &[Marked], hints: Hints) -> Vec<[String; 13]> {
             (row[0], row[1]) = (marked.student.clone(), marked.source.path.clone());
             row
         };
-        if let Some(fault) = &marked.fault {
+        let nothing = marked.lines.is_empty().then_some(NO_FORMULA);
+        if let Some(why) = marked.fault.as_deref().or(nothing) {
             let mut row = row();
-            (row[5], row[12]) = (Mark::Unread.word().to_owned(), fault.clone());
+            (row[5], row[12]) = (Mark::Unread.word().to_owned(), why.to_owned());
             rows.push(row);
         }
         for line in &marked.lines {
@@ -258,8 +263,7 @@ pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
             out += &(wrap("  missing: ", &called(result), 4, style.width) + "\n");
         }
         if marked.lines.is_empty() && marked.fault.is_none() {
-            let said = "no formula was found in this file; write each formula in LaTeX between $ … $, such as $v = \\sqrt{2 a s}$";
-            out += &(wrap("  ", said, 4, style.width) + "\n");
+            out += &(wrap("  ", NO_FORMULA, 4, style.width) + "\n");
         }
         out.push('\n');
     }

@@ -9,6 +9,7 @@ use crate::latex::Reading;
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
+use crate::check::model::Model;
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
 
@@ -267,6 +268,16 @@ impl Implied {
     /// The name of the quantity.
     pub fn name(&self, checker: &Checker<'_>) -> String {
         checker.model.name(self.id)
+    }
+
+    /// The symbols of its value.
+    pub fn symbols(&self) -> Vec<(SymbolId, u8)> {
+        self.value.symbols()
+    }
+
+    /// Whether its value depends on one of some symbols.
+    pub fn depends_on(&self, model: &Model, symbols: &[SymbolId]) -> bool {
+        self.dots == 0 && model.depends_on(&self.value, symbols)
     }
 
     /// A reading with the value in the place of the quantity.

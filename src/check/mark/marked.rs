@@ -72,6 +72,8 @@ pub enum Because {
     AtSpeed(Name),
     /// It follows where the first has the value of the second, which the problem names.
     AtValue(Name, Name),
+    /// It numbers two values the other way round.
+    OtherOrder,
     /// Its number is right, but its unit is that of another quantity.
     Unit {
         /// The unit of the quantity.
@@ -88,6 +90,7 @@ impl fmt::Display for Because {
         match self {
             Because::Follows => f.write_str("follows from the problem"),
             Because::AtSpeed(speed) => write!(f, "follows where the speed is {speed}"),
+            Because::OtherOrder => f.write_str("is true with the two signs in the other order"),
             Because::AtValue(of, value) => write!(f, "follows where {of} is {value}"),
             Because::Unit { wanted, printed } => {
                 write!(

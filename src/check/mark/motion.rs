@@ -74,7 +74,9 @@ impl Motion {
         let starts = starts(checker, &world.problem.contexts);
         // Where a claim gives the values at the start, no constant is left to choose.
         let is_given = |known: &&Solution| {
-            (0..known.order).all(|dots| starts.iter().any(|(id, order, _)| *id == known.coordinate && *order == dots))
+            let name = checker.model.name(known.coordinate);
+            let is_claimed = |dots| starts.iter().any(|(id, order, _)| *id == known.coordinate && *order == dots);
+            (0..known.order).all(|dots| is_claimed(dots) || says_the_start(world, &name, dots))
         };
         let is_open = |known: &&Solution| is_chosen(known) && !is_given(known);
         let chosen = solutions.iter().filter(is_open).map(|known| known.coordinate).collect();
@@ -418,6 +420,20 @@ fn context<'c>(checker: &Checker<'_>, model: &'c Model, at: usize, topic: &'c st
         spread: Spread::Declared,
         local: &[],
     }
+}
+
+/// Whether the text of the problem gives a coordinate, or its rate, at the start: `$\dot x(0) = 0$`.
+fn says_the_start(world: &World<'_>, name: &str, dots: u8) -> bool {
+    let plain = |text: &str| text.replace(['{', '}', '$'], "").split_whitespace().collect::<String>();
+    let rate = match dots {
+        0 => "",
+        1 => "\\dot",
+        _ => "\\ddot",
+    };
+    let start = plain(&format!("{rate}{name}(0)="));
+    let notes = &world.problem.notes;
+    let mut texts = notes.inline.iter().filter_map(|span| notes.source.text.get(span.range()));
+    texts.any(|text| plain(text).starts_with(&start))
 }
 
 /// The coordinates and velocities that claims give at the start, `x(0) = x_0`.

@@ -31,6 +31,8 @@ pub(super) struct Known {
     relations: Vec<((SymbolId, u8), Expr)>,
     /// What they are if nothing else says it: numbers that the problem gives or prints.
     last: Vec<((SymbolId, u8), Expr)>,
+    /// The symbols for which a true line gives a number: that is rounded.
+    computed: Vec<(SymbolId, u8)>,
     is_any_number: bool,
 }
 
@@ -47,6 +49,9 @@ impl Known {
                 continue;
             }
             self.is_any_number |= is_condition;
+            if !is_condition && symbols.is_empty() {
+                self.computed.push(rate);
+            }
             // A condition counts for more than a formula, and the last one for most.
             let at = if is_condition { 0 } else { self.values.len() };
             self.values.insert(at, (rate, last));
@@ -96,18 +101,28 @@ impl Known {
     /// The symbols that have numbers by themselves, or by formulas of symbols that have, and what the relations say.
     fn numbers(&self, checker: &Checker<'_>) -> Vec<((SymbolId, u8), Expr)> {
         let mut closed: Vec<((SymbolId, u8), Expr)> = Vec::new();
-        for pass in 0..2 * DEEPEST {
-            let last = self.last.iter().filter(|_| pass >= DEEPEST);
+        let mut with_last = false;
+        for _ in 0..2 * DEEPEST {
+            let known = closed.len();
+            let last = self.last.iter().filter(|_| with_last);
             for (id, value) in self.values.iter().chain(last) {
-                let is_new = closed.iter().all(|(known, _)| known != id);
+                if closed.iter().any(|(known, _)| known == id) {
+                    continue;
+                }
                 let value = inserted(&inserted(value, &closed), &self.relations);
-                let is_number = || match value.symbols().is_empty() {
+                let is_number = match value.symbols().is_empty() {
                     true => true,
                     false => !self.relations.is_empty() && number(checker, &value).is_some(),
                 };
-                if is_new && is_number() {
+                if is_number {
                     closed.push((*id, value));
                 }
+            }
+            if closed.len() == known {
+                if with_last {
+                    break;
+                }
+                with_last = true;
             }
         }
         closed.extend(
@@ -129,7 +144,8 @@ impl Known {
         }
         // A student may go on with numbers as they were rounded.
         let rounded = Known { values: self.values.iter().rev().cloned().collect(), ..self.clone() };
-        let ways = [self, &rounded].into_iter().flat_map(|known| {
+        let exact = self.exact();
+        let ways = [self, &rounded].into_iter().chain(&exact).flat_map(|known| {
             let own = known.numbers(checker);
             let with = |name: &'static str, values: &'static [&'static str]| {
                 values.iter().filter_map(|value| known.with_usual(checker, &own, (name, value))).collect::<Vec<_>>()
@@ -138,6 +154,20 @@ impl Known {
             std::iter::once(own).chain(usual)
         });
         ways.into_iter().any(|closed| fits_with(checker, (text, reading), &closed, &holds))
+    }
+
+    /// The same without the numbers that true lines print for what a formula gives: a student may go on with the exact values, which a
+    /// calculator keeps. `None`, if there are none.
+    fn exact(&self) -> Option<Known> {
+        let has_formula = |rate: &(SymbolId, u8)| {
+            self.values.iter().any(|(known, value)| known == rate && !value.symbols().is_empty())
+        };
+        let is_rounded = |(rate, value): &((SymbolId, u8), Expr)| {
+            value.symbols().is_empty() && self.computed.contains(rate) && has_formula(rate)
+        };
+        let any = self.values.iter().any(is_rounded);
+        let values = || self.values.iter().filter(|known| !is_rounded(known)).cloned().collect();
+        any.then(|| Known { values: values(), ..self.clone() })
     }
 
     /// The quantities of which a value is missing, for a reading that gives a formula a number where other quantities have numbers,
@@ -160,7 +190,8 @@ impl Known {
         let mut known = Known::default();
         readings.for_each(|reading| known.add(reading, false));
         known.values.reverse();
-        let all = Known { relations: self.relations.clone(), is_any_number: self.is_any_number, ..known };
+        let (relations, computed) = (self.relations.clone(), self.computed.clone());
+        let all = Known { relations, computed, is_any_number: self.is_any_number, ..known };
         all.or_of_others(self)
     }
 
@@ -185,6 +216,7 @@ impl Known {
             values: self.values.iter().chain(&other.values).cloned().collect(),
             relations: self.relations.iter().chain(&other.relations).cloned().collect(),
             last: self.last.iter().chain(&other.last).cloned().collect(),
+            computed: self.computed.iter().chain(&other.computed).copied().collect(),
             is_any_number: self.is_any_number || other.is_any_number,
         }
     }
@@ -233,25 +265,32 @@ fn fits_with(
     let mut any = false;
     let all = reading.statements.iter().all(|statement| {
         let Ok(statement) = statement else { return false };
+        // A chain that ends with a number is right to the digits of that number.
+        let last = statement.members.last().filter(|last| last.symbols().is_empty());
+        let digits = last.and_then(|last| half_a_digit(text.get(last.span.range())?)).unwrap_or(0.0);
+        let is_end = |side: &Expr| last.is_some_and(|last| side.span == last.span);
         statement.members.windows(2).zip(&statement.relations).all(|(pair, relation)| {
             if !is_equality(relation.0) && relation.0 != Relation::Approximately {
                 return false;
             }
-            let sides = [inserted(&pair[0], closed), inserted(&pair[1], closed)];
-            let values = [number(checker, &sides[0]), number(checker, &sides[1])];
-            if let [Some(value), Some(printed)] = values {
-                // Two formulas that are 0 agree whatever they say.
-                if value == 0.0 && printed == 0.0 && !pair[1].is_null() && !pair[0].is_null() {
-                    return false;
-                }
-                any = true;
-                let off = text.get(pair[1].span.range()).and_then(half_a_digit).unwrap_or(0.0);
-                let by_parts: f64 = pair.iter().map(|side| spread(checker, side, closed)).sum();
-                return (value - printed).abs() <= (off + by_parts).max(EQUAL * printed.abs());
-            }
             let members = pair.to_vec();
             let alone = Statement { members, relations: vec![*relation], ..statement.clone() };
-            holds(&Reading { statements: vec![Ok(alone)], introduced: Vec::new() })
+            let alone = || Reading { statements: vec![Ok(alone.clone())], introduced: Vec::new() };
+            let sides = [inserted(&pair[0], closed), inserted(&pair[1], closed)];
+            let values = [number(checker, &sides[0]), number(checker, &sides[1])];
+            let [Some(value), Some(printed)] = values else { return holds(&alone()) };
+            // Two formulas that are 0 agree whatever they say.
+            if value == 0.0 && printed == 0.0 && !pair[1].is_null() && !pair[0].is_null() {
+                return false;
+            }
+            any = true;
+            let off = text.get(pair[1].span.range()).and_then(half_a_digit).unwrap_or(0.0);
+            let by_parts: f64 = pair.iter().map(|side| spread(checker, side, closed)).sum();
+            let distance = (value - printed).abs();
+            let is_formula = !pair[1].symbols().is_empty() && !is_end(&pair[1]);
+            distance <= (off + by_parts).max(EQUAL * printed.abs())
+                // Values that were put in are rounded; or the formulas agree, and the values are those of a false line.
+                || is_formula && (distance <= digits || holds(&alone()))
         })
     });
     any && all
@@ -312,7 +351,7 @@ fn spread(checker: &Checker<'_>, formula: &Expr, closed: &[((SymbolId, u8), Expr
 fn printed_number(formula: &Expr) -> Option<&str> {
     let is_power_of_ten = |factor: &Expr| match &factor.node {
         Node::Number(digits) => digits.trim_start_matches('1').chars().all(|c| c == '0') && digits.starts_with('1'),
-        Node::Power(base, _) => base.as_digits() == Some("10"),
+        Node::Power(base, _) => matches!(base.as_digits(), Some("10" | "60")),
         _ => false,
     };
     match &formula.node {
@@ -323,6 +362,19 @@ fn printed_number(formula: &Expr) -> Option<&str> {
         }
         _ => None,
     }
+}
+
+/// Whether a formula is a rounded decimal times letters: `0.382 \frac km`. The letters have no other numbers beside them but small
+/// powers.
+pub(super) fn is_decimal_multiple(formula: &Expr) -> bool {
+    let is_rounded = |factor: &Expr| matches!(&factor.node, Node::Number(digits) if digits.contains('.') && half_a_digit(digits).is_some());
+    let above = match &formula.node {
+        Node::Quotient(above, _) => above,
+        _ => formula,
+    };
+    let Node::Product(factors) = &above.node else { return false };
+    factors.iter().filter(|factor| is_rounded(factor)).count() == 1
+        && factors.iter().filter(|factor| factor.symbols().is_empty()).count() == 1
 }
 
 /// Whether the two sides of a link with ≈ agree to the digits that are printed on its right side, in states that obey

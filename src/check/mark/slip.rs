@@ -1,8 +1,10 @@
 //! The slip in a wrong line: what was lost, and the edit that corrects it.
 
+use std::cell::OnceCell;
+
 use crate::Result;
 use crate::latex::slips::{Edit, Pool, Slip};
-use crate::latex::{Reading, slips};
+use crate::latex::{Reading, names, read_formula, slips};
 use crate::notes::claims::{Claim, Lost};
 use crate::source::Span;
 
@@ -40,6 +42,7 @@ pub(super) fn lost(slip: Slip) -> Lost {
 }
 
 /// A slip with the edit of the document that corrects it.
+#[derive(Clone, Debug)]
 pub(super) struct Corrected {
     /// The slip, at its place in the hand-in.
     pub slip: Slipped,
@@ -47,16 +50,33 @@ pub(super) struct Corrected {
     pub text: String,
 }
 
-/// The most likely slip in a wrong line, and what the derivation says instead.
-///
-/// # Errors
-/// As for a check of the line.
-pub(super) fn found(
-    run: &Run<'_>,
-    checker: &Checker<'_>,
-    world: &World<'_>,
-    at: usize,
-) -> Result<(Option<Corrected>, Option<Slipped>, Option<Derived>)> {
+/// The most likely slip in a wrong line, with its correction or without one, and what the derivation says instead.
+type Found = (Option<Corrected>, Option<Slipped>, Option<Derived>);
+
+/// The slips in lines, each sought once.
+pub(super) struct Slips(Vec<OnceCell<Found>>);
+
+impl Slips {
+    /// Those of so many lines.
+    pub fn of(lines: usize) -> Slips {
+        Slips(vec![OnceCell::new(); lines])
+    }
+
+    /// The slip in a line.
+    ///
+    /// # Errors
+    /// As for a check of the line.
+    pub fn found(&self, run: &Run<'_>, checker: &Checker<'_>, world: &World<'_>, at: usize) -> Result<Found> {
+        let known = self.0.get(at).and_then(OnceCell::get).cloned();
+        if let Some(known) = known {
+            return Ok(known);
+        }
+        let found = found(run, checker, world, at)?;
+        Ok(self.0.get(at).map_or_else(|| found.clone(), |cell| cell.get_or_init(|| found.clone()).clone()))
+    }
+}
+
+fn found(run: &Run<'_>, checker: &Checker<'_>, world: &World<'_>, at: usize) -> Result<Found> {
     let display = world.first + at;
     if world.display(at).text.len() > LONGEST {
         return Ok((None, None, None));
@@ -66,7 +86,9 @@ pub(super) fn found(
     let body = world.display(at).body;
     let text = &world.display(at).text;
     let own = equation.repairs.iter().filter(|repair| {
-        repair.verdict.holds() && !repair.idle && repair.shared.is_none() && body.contains(repair.span)
+        let inside = || Span::new(repair.span.start - body.start, repair.span.end - body.start);
+        let is_here = repair.verdict.holds() && !repair.idle && repair.shared.is_none() && body.contains(repair.span);
+        is_here && is_likely(checker, text, (inside(), &repair.replacement, repair.slip))
     });
     let corrected = own.filter_map(|repair| {
         let inside = Span::new(repair.span.start - body.start, repair.span.end - body.start);
@@ -120,10 +142,31 @@ fn edited(checker: &Checker<'_>, world: &World<'_>, at: usize) -> Option<Correct
             matches!(status(checker, display, &reading, &none), Status::Holds(_) | Status::Given(Verdict::Law, _))
         }
     };
-    let edit = edits.iter().find(|edit| holds(edit))?;
+    let is_likely = |edit: &&Edit| is_likely(checker, &line.text, (edit.span, &edit.replacement, edit.slip));
+    let edit = edits.iter().filter(is_likely).find(|edit| holds(edit))?;
     let span = world.original(at, edit.span.shifted(line.body.start))?;
     let slip = Slipped { lost: lost(edit.slip), span, replacement: Some(world.in_own_letters(&edit.replacement)) };
     Some(Corrected { slip, text: edit.applied(&line.text) })
+}
+
+/// Whether a student may have lost what an edit puts in. A factor is a number or a letter, and stands beside the formula for a name, not
+/// beside the name. A term has no rate that the line does not have.
+fn is_likely(checker: &Checker<'_>, text: &str, (span, new, slip): (Span, &str, Slip)) -> bool {
+    let kind = lost(slip);
+    if !matches!(kind, Lost::Factor | Lost::Term) {
+        return true;
+    }
+    let mut symbols = checker.model.symbols.clone();
+    let plain = new.trim().trim_start_matches(['+', '-']);
+    let put_in = read_formula(plain, &mut symbols, &checker.model.macros).map(|formula| formula.symbols());
+    let Ok(put_in) = put_in else { return true };
+    let rates = put_in.iter().filter(|(_, dots)| *dots > 0).count();
+    if kind == Lost::Term {
+        return rates == 0 || text.contains("dot") || text.contains('\'');
+    }
+    let left = text.find('=').map(|end| &text[..end]);
+    let is_before_a_name = left.is_some_and(|left| span.end <= left.len() && names::parse(left.trim()).is_some());
+    rates == 0 && put_in.len() <= 1 && !is_before_a_name
 }
 
 /// Whether a side of an equality is the other one.

@@ -281,6 +281,35 @@ impl<'p> World<'p> {
         single_letters::as_written(&renamed(latex, &Macros::default(), &self.back).text)
     }
 
+    /// A message in which names with a subscript or a command, and names of functions, are those of the student: other letters could be
+    /// words.
+    pub fn with_own_names(&self, message: &str) -> String {
+        let mut new = String::new();
+        let mut at = 0;
+        let mut pairs: Vec<(String, String)> =
+            self.back.iter().map(|(other, own)| (other.to_string(), own.to_string())).collect();
+        pairs.sort_by_key(|(other, _)| std::cmp::Reverse(other.len()));
+        while let Some(next) = message[at..].chars().next() {
+            let is_inside = message[..at].ends_with(|c: char| c.is_alphanumeric() || "_\\".contains(c));
+            let found = pairs.iter().filter(|_| !is_inside).find(|(other, _)| {
+                let Some(rest) = message[at..].strip_prefix(other.as_str()) else { return false };
+                let is_name = other.contains(['_', '\\']) || rest.starts_with('(');
+                is_name && !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_')
+            });
+            match found {
+                Some((other, own)) => {
+                    new += own;
+                    at += other.len();
+                }
+                None => {
+                    new.push(next);
+                    at += next.len_utf8();
+                }
+            }
+        }
+        new
+    }
+
     /// Whether letters of the hand-in were taken for others.
     pub fn has_other_letters(&self) -> bool {
         !self.back.is_empty()

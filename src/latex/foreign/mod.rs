@@ -7,6 +7,8 @@
 
 mod differentials;
 mod functions;
+#[cfg(feature = "cli")]
+mod italic;
 mod slashes;
 mod units;
 mod words;
@@ -51,6 +53,18 @@ pub(super) fn edits(text: &str) -> Vec<(Span, String)> {
         Some((Span::new(group, end), size.factor()))
     }));
     edits
+}
+
+/// A text in which the letters of units after numbers, `4.2\,m/s^2`, stand upright; `None`, if there are none.
+#[cfg(feature = "cli")]
+pub fn with_upright_units(text: &str) -> Option<String> {
+    let ends = numbers(text).into_iter().map(|number| number.end).chain(units::groups(text));
+    let mut found: Vec<(Span, String)> = ends.filter_map(|end| italic::units_after(text, end)).collect();
+    found.sort_by_key(|(span, _)| std::cmp::Reverse(span.start));
+    found.dedup();
+    let mut new = text.to_owned();
+    found.iter().for_each(|(span, upright)| new.replace_range(span.range(), upright));
+    (!found.is_empty()).then_some(new)
 }
 
 /// Whether a text prints a number with decimals or with a unit, which somebody measured or computed.

@@ -31,19 +31,28 @@ const UNITS: [(&str, i32); 21] = [
 const PREFIXES: [(&str, i32); 9] =
     [("k", 3), ("M", 6), ("G", 9), ("d", -1), ("c", -2), ("m", -3), ("µ", -6), ("n", -9), ("p", -12)];
 
+/// Units of time, each with its power of sixty seconds.
+const TIMES: [(&str, i32); 2] = [("min", 1), ("h", 2)];
+
 /// The electronvolt in joules, without its power of ten, and that power.
 const ELECTRONVOLT: (&str, i32) = ("1.602176634", -19);
 
-/// What one of a unit is in coherent units: a power of ten, and a power of the digits of the electronvolt.
+/// What one of a unit is in coherent units: a power of ten, a power of the digits of the electronvolt, and one of the sixty seconds of
+/// a minute.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Size {
     ten: i32,
     electronvolts: i32,
+    sixties: i32,
 }
 
 impl Size {
     fn times(self, other: Size, power: i32) -> Size {
-        Size { ten: self.ten + power * other.ten, electronvolts: self.electronvolts + power * other.electronvolts }
+        Size {
+            ten: self.ten + power * other.ten,
+            electronvolts: self.electronvolts + power * other.electronvolts,
+            sixties: self.sixties + power * other.sixties,
+        }
     }
 
     /// The size as a factor after a number.
@@ -54,16 +63,22 @@ impl Size {
             power => format!(" \\cdot {}^{{{power}}}", ELECTRONVOLT.0),
         };
         let ten = if self.ten == 0 { String::new() } else { format!(" \\cdot 10^{{{}}}", self.ten) };
-        digits + &ten
+        let sixty = if self.sixties == 0 { String::new() } else { format!(" \\cdot 60^{{{}}}", self.sixties) };
+        digits + &sixty + &ten
     }
 }
 
 /// The size of a unit, perhaps with a prefix.
 fn size_of(word: &str) -> Option<Size> {
     let plain = |word: &str| match word {
-        "eV" => Some(Size { ten: ELECTRONVOLT.1, electronvolts: 1 }),
-        _ => UNITS.iter().find(|(unit, _)| *unit == word).map(|(_, ten)| Size { ten: *ten, electronvolts: 0 }),
+        "eV" => Some(Size { ten: ELECTRONVOLT.1, electronvolts: 1, ..Size::default() }),
+        _ => UNITS.iter().find(|(unit, _)| *unit == word).map(|(_, ten)| Size { ten: *ten, ..Size::default() }),
     };
+    // Nobody writes a prefix before these.
+    let of_time = TIMES.iter().find(|(unit, _)| *unit == word);
+    if let Some((_, sixties)) = of_time {
+        return Some(Size { sixties: *sixties, ..Size::default() });
+    }
     plain(word).or_else(|| {
         let with = |(prefix, power): &(&str, i32)| {
             let size = plain(word.strip_prefix(prefix)?)?;
@@ -86,12 +101,14 @@ pub(super) fn numbers(text: &str) -> Vec<Span> {
         let length = bytes[at..].iter().take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count();
         let before = text[..at].trim_end_matches('{');
         let below = before.trim_end_matches('-').trim_end_matches('{');
+        let commands = ["\\frac", "\\dfrac", "\\tfrac", "\\sqrt"];
+        let is_argument = before.len() < at && commands.iter().any(|command| before.ends_with(command));
         if let Some(base) = below.strip_suffix('^') {
             // `10^3` and `10^{-3}` end a number.
             if base.ends_with("10") {
                 found.push(Span::new(at, at + length + usize::from(text[at + length..].starts_with('}'))));
             }
-        } else if !before.ends_with('_') && !before.ends_with(|c: char| c.is_ascii_alphabetic()) {
+        } else if !before.ends_with('_') && (!before.ends_with(|c: char| c.is_ascii_alphabetic()) || is_argument) {
             found.push(Span::new(at, at + length));
         }
         at += length;
@@ -177,7 +194,9 @@ fn unit(text: &str, at: usize) -> Option<(usize, Size)> {
         (at, &text[at..])
     });
     let command = ["\\text{", "\\mathrm{", "\\textrm{", "\\mbox{", "\\rm{", "\\unit{"];
-    let command = command.iter().find(|command| rest.starts_with(**command))?;
+    let Some(command) = command.iter().find(|command| rest.starts_with(**command)) else {
+        return single_letter(text, at, rest).filter(|_| micro.is_none());
+    };
     let (inside, length) = braced(&rest[command.len()..])?;
     let mut end = at + command.len() + length;
     let size = match words(inside) {
@@ -188,11 +207,22 @@ fn unit(text: &str, at: usize) -> Option<(usize, Size)> {
             let (_, power) = PREFIXES.iter().find(|(prefix, _)| *prefix == inside.trim())?;
             let ohm = text[skipped(text, end)..].strip_prefix("\\Omega")?;
             end = text.len() - ohm.len();
-            Size { ten: *power, electronvolts: 0 }
+            Size { ten: *power, ..Size::default() }
         }
     };
     let (exponent, end) = exponent(text, end);
     Some((end, Size::default().times(size, exponent)))
+}
+
+/// The same for a unit of one letter without braces: `\mathrm m`.
+fn single_letter(text: &str, at: usize, rest: &str) -> Option<(usize, Size)> {
+    let after = ["\\mathrm ", "\\rm ", "\\text "].iter().find_map(|command| rest.strip_prefix(*command))?;
+    let letter = after.trim_start();
+    let size = size_of(letter.get(..1)?)?;
+    let end = at + rest.len() - letter.len() + 1;
+    let is_word = text[end..].starts_with(|c: char| c.is_ascii_alphabetic()) && rest.starts_with("\\rm");
+    let (exponent, end) = exponent(text, end);
+    (!is_word).then(|| (end, Size::default().times(size, exponent)))
 }
 
 /// The size of a text that is units and nothing else.
@@ -300,6 +330,10 @@ mod tests {
             r"v = \sqrt{2 \cdot 3.24 \cdot 1.5}"
         );
         assert_eq!(plain(r"s = \frac{3}{2}\,\text{cm}"), r"s = \frac{3}{2} \cdot 10^{-2}");
+        assert_eq!(plain(r"\mu = \frac{3.27\,\text{N}}{17.0\,\text{N}}"), r"\mu = \frac{3.27}{17.0}");
+        assert_eq!(plain(r"v = 90\,\text{km/h}"), r"v = 90 \cdot 60^{-2} \cdot 10^{3}");
+        assert_eq!(plain(r"t = 5\,\text{min}"), r"t = 5 \cdot 60^{1}");
+        assert_eq!(plain(r"v = 4.4\,\frac{\mathrm m}{\mathrm s^2}"), "v = 4.4");
         // The twins: no unit, no number, a subscript.
         for text in
             [r"3\,\text{apples}", r"x = \text{m}", r"T_1 \mathrm{m}", r"3 m", r"T_{1} \mathrm{m}", r"(x) \mathrm{m}"]

@@ -13,6 +13,7 @@ mod freed;
 mod modes;
 pub(super) mod numbers;
 mod origin;
+mod redefined;
 mod step;
 
 pub(super) use before::Before;

@@ -1,11 +1,13 @@
 //! Follow-through of a false equation of motion to the modes: the secular equation that it makes.
 
+use crate::formula::calculus::places::at;
 use crate::formula::{Expr, Node, Relation, SymbolId};
 use crate::latex::Reading;
 use crate::notes::claims::Range;
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
+use crate::check::mark::given::solved_for;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::model::meaning::Meaning;
 
@@ -30,7 +32,7 @@ pub(super) fn follows(checker: &Checker<'_>, from: usize, own: &Reading, before:
     };
     let found = symbols.iter().map(|(id, _)| *id).find(|id| is_sought(*id));
     let (Some(omega), Some(own)) = (found, numbers::links(checker, own)) else { return false };
-    let Some(equations) = at_unit_amplitude(checker, from, before, omega) else { return false };
+    let Some((equations, coordinates)) = at_unit_amplitude(checker, from, before, omega) else { return false };
     let free = freed(&checker.without_system(false).model, &[omega], |_| Range::Any);
     let premises = |links: &[Link]| links.iter().map(|link| Hypothesis::of(link.clone(), false)).collect::<Vec<_>>();
     let holds = |link: &Link, set: &[Hypothesis]| {
@@ -38,11 +40,42 @@ pub(super) fn follows(checker: &Checker<'_>, from: usize, own: &Reading, before:
     };
     let fails = |link: &Link, set: &[Hypothesis]| numbers::holds(checker, &free, link, set) == Some(false);
     own.iter().all(|link| holds(link, &premises(&equations)) && fails(link, &[]))
+        || is_without_amplitudes(checker, (&equations, &coordinates), omega, &own)
+}
+
+/// Whether a line is the equation that two equations of motion leave for the frequency once the amplitude is eliminated, up to a factor
+/// without it: no real frequency may obey it.
+fn is_without_amplitudes(
+    checker: &Checker<'_>,
+    (equations, coordinates): (&[Link], &[SymbolId]),
+    omega: SymbolId,
+    own: &[Link],
+) -> bool {
+    let ([one, two], [_, amplitude], [own]) = (equations, coordinates, own) else { return false };
+    let off = |link: &Link| link.lhs.clone().minus(link.rhs.clone());
+    let eliminated = |from: &Link, other: &Link| {
+        let value = solved_for(checker, &off(from), (*amplitude, 0))?;
+        Some(at(&off(other), *amplitude, &value))
+    };
+    let Some(known) = eliminated(one, two).or_else(|| eliminated(two, one)) else { return false };
+    let own = off(own);
+    let at_one = |formula: &Expr| at(formula, omega, &Expr::integer(1, formula.span));
+    let product = |a: &Expr, b: Expr| Expr::new(Node::Product(vec![a.clone(), b]), a.span);
+    let model = checker.without_system(false).model;
+    let (left, right) = (product(&own, at_one(&known)), product(&known, at_one(&own)));
+    let is_about_it = own.symbols().contains(&(omega, 0)) && known.symbols().contains(&(omega, 0));
+    let same = checker.link(&left, Relation::Equal, &right);
+    is_about_it && same.is_ok_and(|same| numbers::holds(checker, &model, &same, &[]) == Some(true))
 }
 
 /// The nearest equations of motion, one for each coordinate and the false one among them, with −ω² times a coordinate for its
-/// acceleration, and 1 for the first coordinate.
-fn at_unit_amplitude(checker: &Checker<'_>, from: usize, before: &Before<'_>, omega: SymbolId) -> Option<Vec<Link>> {
+/// acceleration, and 1 for the first coordinate; and the coordinates.
+fn at_unit_amplitude(
+    checker: &Checker<'_>,
+    from: usize,
+    before: &Before<'_>,
+    omega: SymbolId,
+) -> Option<(Vec<Link>, Vec<SymbolId>)> {
     let accelerated = |link: &Link| -> Option<SymbolId> {
         let mut all: Vec<SymbolId> = [&link.lhs, &link.rhs]
             .into_iter()
@@ -84,5 +117,6 @@ fn at_unit_amplitude(checker: &Checker<'_>, from: usize, before: &Before<'_>, om
         let new = checker.link(&replaced(&link.lhs), Relation::Equal, &replaced(&link.rhs)).ok();
         new.filter(|_| !has_rate)
     };
-    equations.iter().map(link).collect()
+    let links = equations.iter().map(link).collect::<Option<_>>()?;
+    Some((links, coordinates.clone()))
 }

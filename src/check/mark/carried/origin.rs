@@ -1,7 +1,7 @@
 //! The false line from which a false line follows: the ways are tried in turn, from the line before it backwards.
 
 use super::Before;
-use super::{about_rest, another_value, change, derived, freed, modes, numbers, step};
+use super::{about_rest, another_value, change, derived, freed, modes, numbers, redefined, step};
 use crate::Result;
 use crate::formula::symbols::Name;
 use crate::formula::{Expr, Node, Statement, SymbolId};
@@ -11,7 +11,6 @@ use crate::source::Span;
 
 use crate::check::document::checker::Checker;
 use crate::check::model::meaning::Meaning;
-use crate::check::sample::context::Options;
 use crate::check::steps::entailment::{EarlierSteps, Entailment};
 
 use crate::check::mark::special::Special;
@@ -44,7 +43,7 @@ pub(in crate::check::mark) fn origin(
         if another_value::follows(checker, *from, (at, own), of_problem) || is_at_a_place() {
             return Ok(Some(*from));
         }
-        if redefines(checker, *from, (at, own), before.contexts) || shares_a_misreading(checker, *from, (at, own)) {
+        if redefined::follows(checker, *from, (at, own), before) || shares_a_misreading(checker, *from, (at, own)) {
             return Ok(Some(*from));
         }
         let wrong = &checker.readings[*from];
@@ -118,35 +117,6 @@ fn is_condition_of_rest(checker: &Checker<'_>, wrong: &Reading, own: &Reading, p
     let links = |reading: &Reading| numbers::links(checker, reading).filter(|links| links.len() == 1);
     let (Some(rest), Some(own)) = (rest.as_ref().and_then(links), links(own)) else { return false };
     checker.proportional(&own[0], &rest[0], &[]).unwrap_or(false)
-}
-
-/// Whether a line holds where a name of the problem means what a false line says that it is, by itself or as a secular equation.
-fn redefines(checker: &Checker<'_>, from: usize, (at, own): (usize, &Reading), contexts: &[Claim]) -> bool {
-    let Some((place, text)) = definition_in_place(checker, from) else { return false };
-    let options = Options { explain: false, ..checker.options };
-    let none = Claim::default();
-    let holds = |edited: &Checker<'_>| {
-        let secular = contexts.iter().filter(|claim| claim.secular_for.is_some());
-        std::iter::once(&none).chain(secular).any(|claim| matches!(status(edited, at, own, claim), Status::Holds(..)))
-    };
-    checker.with_edited_text(options, place, &text, holds).unwrap_or(false)
-}
-
-/// The display that defines the name that a false line gives another formula, and what the line would make of it.
-fn definition_in_place(checker: &Checker<'_>, from: usize) -> Option<(usize, String)> {
-    let Some(Ok(Statement { members, .. })) = checker.readings[from].statements.first() else { return None };
-    let (first, last) = (members.first()?, members.last()?);
-    let name = first.as_plain_symbol()?;
-    if !matches!(checker.model.meaning(name), Some(Meaning::Defined(_) | Meaning::System(_))) {
-        return None;
-    }
-    let place = checker.readings.iter().position(|reading| {
-        matches!(reading.introduced.as_slice(), [only] if only.symbol == name && only.member == 0)
-            && reading.statements.len() == 1
-    })?;
-    let text = &checker.notes.equations[from].text;
-    let value = text.get(last.span.range())?;
-    (place != from).then(|| (place, format!("{} = {value}", checker.model.name(name))))
 }
 
 /// Whether two false lines hold if one constant is taken for another value: its negative, its double, its half, its reciprocal; or

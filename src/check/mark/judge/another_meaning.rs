@@ -80,7 +80,7 @@ impl Judge<'_, '_> {
     pub(super) fn leaves_open(&self, at: usize, reading: &Reading) -> Result<bool> {
         let is_mistyped = |edit: &slip::Corrected| edit.slip.lost == Lost::Symbol;
         let is_open = !self.unknown(reading).is_empty();
-        Ok(is_open && !slip::found(self.run, self.checker, self.world, at)?.0.as_ref().is_some_and(is_mistyped))
+        Ok(is_open && !self.slips.found(self.run, self.checker, self.world, at)?.0.as_ref().is_some_and(is_mistyped))
     }
 
     /// Whether the first member of a chain is not the last one, whatever stands between them.
@@ -95,19 +95,25 @@ impl Judge<'_, '_> {
 
     /// The quantities of the student's own in a line of which no line says what they are.
     pub(super) fn unknown(&self, reading: &Reading) -> Vec<String> {
+        let name = |id: &SymbolId| self.world.in_own_letters(&self.quiet.model.name(*id));
+        self.unknown_symbols(reading).iter().map(name).collect()
+    }
+
+    /// The same as symbols.
+    pub(super) fn unknown_symbols(&self, reading: &Reading) -> Vec<SymbolId> {
         let model = self.quiet.model;
         let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
         let is_used = |id: SymbolId| members().any(|member| member.symbols().iter().any(|(used, _)| *used == id));
-        let own = self.world.declared.iter().filter_map(|name| Some((name, model.symbols.find(name)?.0)));
-        let free = own.filter(|(_, id)| {
+        let own = self.world.declared.iter().filter_map(|name| Some(model.symbols.find(name)?.0));
+        let free = own.filter(|id| {
             matches!(model.meaning(*id), Some(Meaning::Constant(_) | Meaning::Varying(_))) && is_used(*id)
         });
-        free.map(|(name, _)| self.world.in_own_letters(&name.to_string())).collect()
+        free.collect()
     }
 
     /// Whether one likely edit makes a line true.
     pub(super) fn is_slip(&self, at: usize) -> Result<bool> {
-        Ok(slip::found(self.run, self.checker, self.world, at)?.0.is_some())
+        Ok(self.slips.found(self.run, self.checker, self.world, at)?.0.is_some())
     }
 
     /// Whether a statement is an equality between constants of the problem, as a special case is.

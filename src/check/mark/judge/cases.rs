@@ -9,7 +9,7 @@ use crate::check::document::checker::Checker;
 use crate::check::mark::carried::numbers;
 use crate::check::mark::given::{self, Implied};
 use crate::check::mark::marked::{Line, Mark};
-use crate::check::mark::motion::Along;
+use crate::check::mark::motion::{Along, printed};
 use crate::check::mark::names::moving;
 use crate::check::mark::status::{Status, stated, status};
 use crate::check::model::claim::is_equality;
@@ -17,6 +17,9 @@ use crate::check::model::meaning::Meaning;
 use crate::check::verdict::Verdict;
 
 use super::Judge;
+
+/// The lines behind a line that may say what a quantity in it is.
+const LATER: usize = 3;
 
 /// The lines before an alternative of which it may be a case.
 const CASES: usize = 3;
@@ -187,6 +190,39 @@ impl Judge<'_, '_> {
             && matches!(model.meaning(own), Some(Meaning::Varying(_)))
             && symbols.iter().filter(|(id, _)| is_coordinate(*id)).count() == 1
             && symbols.iter().all(|(id, dots)| *dots == 0 && (*id == own || is_coordinate(*id) || is_fixed(*id)))
+    }
+
+    /// Whether a line would give what moves to a name that is a constant in a function of the time before it, `x = A\cos\omega t`.
+    pub(super) fn is_a_constant_that_moves(&self, implied: &Implied) -> bool {
+        let model = self.quiet.model;
+        let first = self.world.first;
+        let before = self.quiet.readings[first..first + self.lines.len()].iter();
+        let mut functions = before
+            .flat_map(|reading| reading.statements.iter().flatten())
+            .filter_map(|statement| printed(self.quiet, statement));
+        functions.any(|own| own.formula.symbols().contains(&(implied.symbol(), 0)))
+            && (implied.depends_on(model, &moving(model)))
+    }
+
+    /// The name of the line behind a line that says what a quantity of the student's own is, where the line holds with it.
+    pub(super) fn follows_with_a_later_line(&self, at: usize, reading: &Reading) -> Option<&str> {
+        let unknown = self.unknown_symbols(reading);
+        if !self.details || unknown.is_empty() {
+            return None;
+        }
+        let first = self.world.first;
+        let later = (at + 1..self.world.written.len()).take(LATER).filter_map(|later| {
+            let own = (self.world.declared.as_slice(), [].as_slice());
+            let implied = Implied::by(self.quiet, own, &self.quiet.readings[first + later])?;
+            (unknown == [implied.symbol()]).then_some((later, implied))
+        });
+        let holds = |(_, implied): &(usize, Implied)| {
+            let new = implied.applied(reading.clone());
+            let is_new = self.unknown_symbols(&new).is_empty();
+            is_new && matches!(self.status(first + at, &new).0, Status::Holds(_))
+        };
+        let (line, _) = later.into_iter().find(holds)?;
+        Some(self.world.written[line].name.as_str())
     }
 
     /// The name of the last condition, if a line follows from it and from a true line before it.

@@ -24,10 +24,12 @@ impl Judge<'_, '_> {
         let spanned = |(text, _): &(String, String)| Spanned::new(text.clone(), Span::default());
         let under = Claim { assume: self.conditions.iter().map(spanned).collect(), ..Claim::default() };
         let sets: Vec<_> = [&Claim::default(), &under].into_iter().map(|claim| self.quiet.hypotheses(claim)).collect();
-        // Under conditions a number is rounded, though = stands before it.
+        // Under conditions a number is rounded, though = stands before it. So is a decimal before letters.
         let is_approximate = |relation: Relation, pair: &[Expr]| {
-            let is_number = !self.conditions.is_empty() && pair[1].symbols().is_empty();
-            relation == Relation::Approximately || relation == Relation::Equal && is_number
+            let is_number = pair[1].symbols().is_empty();
+            let is_rounded =
+                if is_number { !self.conditions.is_empty() } else { rounded::is_decimal_multiple(&pair[1]) };
+            relation == Relation::Approximately || relation == Relation::Equal && is_rounded
         };
         let mut any = false;
         let all = reading.statements.iter().all(|statement| {
@@ -75,7 +77,7 @@ impl Judge<'_, '_> {
         let fits = |from: &[usize]| {
             let said = from.iter().map(|at| &self.premises[self.world.first + at]);
             let holds = |link: &Reading| matches!(self.status(display, link).0, Status::Holds(_));
-            let known = self.known.supposing(said).or(&self.data).or_of_others(&self.printed().formulas());
+            let known = self.known.supposing(said).or(&self.data).or_of_others(&self.printed.clone().formulas());
             known.fits(self.quiet, text, reading, holds)
         };
         if !self.details || wrong.is_empty() || !fits(&wrong) {
@@ -84,28 +86,47 @@ impl Judge<'_, '_> {
         wrong.iter().rev().find(|at| fits(&[**at])).or(wrong.last()).copied()
     }
 
-    /// What is known of numbers, by the lines before a line, by the data of the hand-in and of the problem, and by what the problem
-    /// prints.
-    fn known_with_the_problem(&self) -> Known {
-        self.known.or(&self.data).or(&self.printed())
+    /// A chain without the number at its end, where that is the value of the formula before it: whether the line is carried, the formula
+    /// says.
+    pub(super) fn before_a_true_number(&self, display: usize, reading: &Reading) -> Option<Reading> {
+        let [Ok(statement)] = reading.statements.as_slice() else { return None };
+        let [.., formula, number] = statement.members.as_slice() else { return None };
+        let length = statement.members.len();
+        if length < 3 || !self.details || !number.symbols().is_empty() || formula.symbols().is_empty() {
+            return None;
+        }
+        let part = |from: usize, to: usize| {
+            let (members, relations) = (&statement.members[from..to], &statement.relations[from..to - 1]);
+            let part = Statement { members: members.to_vec(), relations: relations.to_vec(), ..statement.clone() };
+            Reading { statements: vec![Ok(part)], introduced: Vec::new() }
+        };
+        let text = &self.quiet.notes.equations[display].text;
+        let is_value = self.known_with_the_problem().fits(self.quiet, text, &part(length - 2, length), |_| false);
+        is_value.then(|| part(0, length - 1))
     }
 
-    /// What the problem prints, and what its claims file says that a name stands for.
-    fn printed(&self) -> Known {
-        let mut printed = Known::default();
-        let model = self.quiet.model;
-        for (id, entry) in model.symbols.iter() {
-            if let Some(Meaning::Defined(formula)) = model.meaning(id)
-                && self.world.problem.names.symbols.find(&entry.name).is_some()
-            {
-                printed.add_formula(id, formula.as_ref().clone());
-            }
-        }
-        for at in 0..self.world.problem.notes.equations.len() {
-            printed.add(&self.quiet.readings[at], false);
-        }
-        printed.with_numbers_last()
+    /// What is known of numbers, by the lines before a line, by the data of the hand-in and of the problem, and by what the problem
+    /// prints.
+    pub(super) fn known_with_the_problem(&self) -> Known {
+        self.known.or(&self.data).or(&self.printed)
     }
+}
+
+/// What the problem prints, and what its claims file says that a name stands for.
+pub(super) fn printed(checker: &Checker<'_>, world: &World<'_>) -> Known {
+    let mut printed = Known::default();
+    let model = checker.model;
+    for (id, entry) in model.symbols.iter() {
+        if let Some(Meaning::Defined(formula)) = model.meaning(id)
+            && world.problem.names.symbols.find(&entry.name).is_some()
+        {
+            printed.add_formula(id, formula.as_ref().clone());
+        }
+    }
+    for at in 0..world.problem.notes.equations.len() {
+        printed.add(&checker.readings[at], false);
+    }
+    printed.with_numbers_last()
 }
 
 /// The numbers that the text of the problem and all of a hand-in give to constants: also those that come after the line in which

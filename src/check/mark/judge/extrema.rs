@@ -92,7 +92,7 @@ impl Judge<'_, '_> {
 }
 
 /// A reading with one symbol in the place of another.
-fn with_value(reading: &Reading, id: SymbolId, place: SymbolId) -> Reading {
+pub(super) fn with_value(reading: &Reading, id: SymbolId, place: SymbolId) -> Reading {
     let mut reading = reading.clone();
     for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
         member.rename(&|other| if other == id { place } else { other });

@@ -157,6 +157,7 @@ impl Judge<'_, '_> {
         if !self.is_about_a_trial(reading)
             && !self.ends_are_false(display, reading)
             && let Some(implied) = Implied::by(self.quiet, (&self.world.declared, &self.open), reading)
+            && !self.is_a_constant_that_moves(&implied)
             && let Some(all) = self.given_by(display, reading, implied.clone())
             && (self.names_the_last(display, reading, &implied)
                 || self.is_another_variable(reading, &implied)
@@ -173,6 +174,10 @@ impl Judge<'_, '_> {
             self.implied.extend(all);
             return Ok(Some(given(because)));
         }
+        if self.ends_in_a_condition(at, reading) {
+            self.add_condition(at);
+            return Ok(Some(right("follows from the problem, and its last member is a condition")));
+        }
         if energies::has_another_zero(self.quiet, display, reading) {
             return Ok(Some(right("agrees, with another zero of the potential energy")));
         }
@@ -182,6 +187,9 @@ impl Judge<'_, '_> {
             }
             self.known.add(reading, false);
             return Ok(Some(right("agrees to the printed digits, with the numbers that are given")));
+        }
+        if let Some(name) = self.follows_with_a_later_line(at, reading) {
+            return Ok(Some(right(format!("follows with what {name} says"))));
         }
         if let Some(name) = self.follows_under_a_condition(reading) {
             return Ok(Some(right(format!("follows under the condition of {name}"))));
@@ -260,7 +268,12 @@ impl Judge<'_, '_> {
         if let Some(start) = self.carried_number(display, reading).or_else(|| self.carried_from_a_trial(reading)) {
             return Ok(Some(start));
         }
-        if let Some(start) = self.starts_as_a_false_line(display, reading) {
+        if let Some(rest) = self.before_a_true_number(display, reading)
+            && let Some(start) = self.carried_from(at, &rest)?
+        {
+            return Ok(Some(start));
+        }
+        if let Some(start) = self.carried_root(reading).or_else(|| self.starts_as_a_false_line(display, reading)) {
             return Ok(Some(start));
         }
         let own = self.displays(|line| line.verdict == Some(Verdict::Definition));

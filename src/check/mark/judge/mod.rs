@@ -36,10 +36,12 @@ mod extrema;
 mod false_line;
 mod instants;
 mod readings;
+mod rest;
 mod secular;
 mod supposed;
 mod trial;
 mod units;
+mod upright;
 
 use readings::{Break, free_of, with_dots};
 
@@ -89,7 +91,9 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Riv
             breaks: Vec::new(),
             known: Known::default(),
             data: digits::data(&quiet, world),
+            printed: digits::printed(&quiet, world),
             trials: Vec::new(),
+            slips: slip::Slips::of(world.written.len()),
             lines: Vec::new(),
         };
         for at in 0..world.written.len() {
@@ -98,12 +102,12 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Riv
                 return Ok(Judged { lines: judge.lines, found: Vec::new() });
             }
         }
-        let (mut lines, premises) = (judge.lines, judge.premises);
+        let (mut lines, premises, slips) = (judge.lines, judge.premises, judge.slips);
         let mut corrected = vec![None; lines.len()];
         if details {
             for at in 0..lines.len() {
                 if lines[at].mark == Mark::Wrong {
-                    let (edit, fitted, derived) = slip::found(run, &checker, world, at)?;
+                    let (edit, fitted, derived) = slips.found(run, &checker, world, at)?;
                     lines[at].slip = edit.as_ref().map(|edit| edit.slip.clone()).or(fitted);
                     lines[at].derived = derived;
                     corrected[at] = edit.map(|edit| edit.text);
@@ -144,8 +148,11 @@ struct Judge<'j, 'c> {
     known: Known,
     /// The numbers that the problem and the whole hand-in give.
     data: Known,
+    /// What the problem prints, and what its claims file says that a name stands for.
+    printed: Known,
     /// The trial solutions.
     trials: Vec<trial::Trial>,
+    slips: slip::Slips,
     lines: Vec<Line>,
 }
 
@@ -202,6 +209,16 @@ impl Judge<'_, '_> {
         if matches!(status, Status::Open(..)) && self.is_rounded(display, &reading) {
             (status, under) = (Status::Holds(Verdict::Verified), Some("agrees to the printed digits".into()));
         }
+        if matches!(status, Status::False(_))
+            && let Some(other) = self.in_the_other_order(display)
+        {
+            self.premises[display] = other;
+            (status, under) = (Status::Holds(Verdict::Verified), Some(Because::OtherOrder));
+        }
+        if matches!(status, Status::Open(..) | Status::False(_)) && self.is_right_with_units(display) {
+            (status, under) =
+                (Status::Holds(Verdict::Verified), Some("agrees to the printed digits, with letters as units".into()));
+        }
         if self.details && energies::is_sum_of_energies(self.quiet, &reading) {
             (line.mark, line.verdict) = (Mark::Wrong, Some(Verdict::Refuted));
             line.because = "is not the Lagrangian, which is the kinetic minus the potential energy".into();
@@ -227,6 +244,9 @@ impl Judge<'_, '_> {
                 line.because = apart.or(under).unwrap_or(Because::Follows);
             }
             Status::Given(verdict, what) => {
+                if verdict == Verdict::Definition {
+                    self.known.add(&reading, false);
+                }
                 (line.mark, line.verdict, line.because) = (Mark::Given, Some(verdict), what.into());
             }
             // In a state it cannot be put to the test, as e^{i\omega t} has none.
@@ -235,12 +255,15 @@ impl Judge<'_, '_> {
                 line.because = false_line::TRIAL.into();
             }
             Status::Open(verdict, message) => {
+                let message = self.world.with_own_names(&message);
                 (line.mark, line.verdict, line.because) = (Mark::Open, Some(verdict), message.into());
             }
             Status::Unread(message) => {
+                let message = self.world.with_own_names(&message);
                 (line.mark, line.verdict, line.because) = (Mark::Unread, Some(Verdict::Unreadable), message.into());
             }
             Status::False(_) if self.is_at_an_extremum(at, &reading, &mut line) => {}
+            Status::False(_) if self.is_at_rest(at, &reading, &mut line) => {}
             Status::False(finding) => {
                 if let Some(said) = near_rest::of_the_frequency(self.quiet, self.world, &self.quiet.readings[display]) {
                     self.premises[display] = said;
@@ -291,6 +314,9 @@ impl Judge<'_, '_> {
         let mut all = std::iter::once(&none).chain(&self.world.problem.contexts);
         if of_frequency.as_ref().is_some_and(|said| all.any(|claim| self.holds_under(&checker, display, said, claim))) {
             return (Status::Holds(Verdict::Verified), Some("follows for a small deviation".into()));
+        }
+        if self.are_the_roots(&checker, display, reading) {
+            return (Status::Holds(Verdict::Verified), Some("gives the roots of an equation of the problem".into()));
         }
         for (at, context) in self.world.problem.contexts.iter().enumerate() {
             // While the motion stays at a place there is no deviation, and anything holds of it.

@@ -5,7 +5,8 @@
 //! Hypotheses that are no case are granted to each line: inequalities, the values at the start, what is conserved, and equations
 //! of the problem.
 
-use crate::formula::{Expr, Node, Statement, Term};
+use crate::formula::symbols::Name;
+use crate::formula::{Expr, Node, Statement, SymbolId, Term};
 use crate::latex::Reading;
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
@@ -93,7 +94,9 @@ impl Judge<'_, '_> {
         let (deviation, _) = members().flat_map(Expr::symbols).find(|(id, dots)| *dots == 2 && self.is_own(*id))?;
         let value = self.with_known(self.quiet.readings[display].clone());
         let model = self.quiet.model;
-        let (of, place) = self.world.problem.special.kept().find(|(of, place)| {
+        let own_places = self.places_of_a_deviation(display, deviation);
+        let kept = self.world.problem.special.kept().cloned().chain(own_places);
+        let (of, place) = kept.into_iter().find(|(of, place)| {
             let id = |name| model.symbols.find(name).map(|(id, _)| id);
             let written_out = value.statements.iter().flatten().flat_map(|statement| &statement.members);
             let symbols: Vec<_> = written_out
@@ -107,6 +110,26 @@ impl Judge<'_, '_> {
         let claim = Claim { throughout: vec![said], ..Claim::default() };
         (self.under(checker, display, reading, &claim) == Under::Anyway)
             .then(|| self.world.in_own_letters(&place.to_string()))
+    }
+
+    /// The place from which a line before says that a deviation counts, `r = r_0 + \xi`, with the coordinate, after words for what is small.
+    fn places_of_a_deviation(&self, display: usize, deviation: SymbolId) -> Vec<(Name, Name)> {
+        let model = self.quiet.model;
+        let name = |id: SymbolId| model.symbols.entry(id).name.clone();
+        let is_near = self.world.written[display - self.world.first].is_near;
+        let said = self.implied.iter().filter(|implied| is_near && implied.symbol() == deviation);
+        let pairs = said.flat_map(|implied| {
+            let symbols: Vec<SymbolId> = implied.symbols().into_iter().map(|(id, _)| id).collect();
+            let moves = |id: &SymbolId| {
+                matches!(model.meaning(*id), Some(Meaning::Coordinate(_) | Meaning::Varying(_))) && !self.is_own(*id)
+            };
+            let (moving, fixed): (Vec<SymbolId>, Vec<SymbolId>) = symbols.into_iter().partition(moves);
+            match (moving.as_slice(), fixed.as_slice()) {
+                ([of], [place]) => Some((name(*of), name(*place))),
+                _ => None,
+            }
+        });
+        pairs.collect()
     }
 
     /// What a line is under hypotheses.

@@ -38,13 +38,25 @@ impl Judge<'_, '_> {
         let [Ok(statement)] = reading.statements.as_slice() else { return None };
         let own = printed(self.quiet, statement).filter(|own| own.dots == 0 && statement.members.len() == 2)?;
         let is_unknown = |(id, _): &(SymbolId, u8)| {
-            self.is_own(*id) && matches!(self.quiet.model.meaning(*id), Some(Meaning::Constant(_)))
+            matches!(self.quiet.model.meaning(*id), Some(Meaning::Constant(_)))
+                && (self.is_own(*id)
+                    || written.is_tried && self.is_of_no_law(*id) && !self.motion.prints(own.coordinate))
         };
         let symbols = own.formula.symbols();
         (symbols.iter().any(is_unknown) && self.quiet.model.contains_time(&own.formula)).then(|| Trial {
             coordinate: own.coordinate,
             formula: own.formula.clone(),
             line: written.name.clone(),
+        })
+    }
+
+    /// Whether no display of the problem that has a rate has a constant: nothing there says what it is.
+    fn is_of_no_law(&self, id: SymbolId) -> bool {
+        let displays = &self.quiet.readings[..self.world.problem.notes.equations.len()];
+        let mut statements = displays.iter().flat_map(|reading| reading.statements.iter().flatten());
+        !statements.any(|statement| {
+            let symbols: Vec<(SymbolId, u8)> = statement.members.iter().flat_map(Expr::symbols).collect();
+            symbols.iter().any(|(_, dots)| *dots > 0) && symbols.iter().any(|(other, _)| *other == id)
         })
     }
 

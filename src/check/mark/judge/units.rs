@@ -20,12 +20,17 @@ use super::Judge;
 impl Judge<'_, '_> {
     /// What is wrong with the unit of the number with which a line ends; `None` where it fits, or nobody can tell.
     pub(super) fn wrong_unit(&self, at: usize, reading: &Reading) -> Option<Because> {
+        self.wrong_unit_in(at, &self.world.written[at].text, reading)
+    }
+
+    /// The same for a line in another form.
+    pub(super) fn wrong_unit_in(&self, at: usize, line: &str, reading: &Reading) -> Option<Because> {
         let [Ok(statement)] = reading.statements.as_slice() else { return None };
         let (value, formulas) = statement.members.split_last()?;
         if !value.symbols().is_empty() {
             return None;
         }
-        let (printed, shown) = printed_unit(&self.world.written[at].text)?;
+        let (printed, shown) = printed_unit(line)?;
         let mut check = UnitCheck::new(&self.quiet.model.symbols);
         for problem in &self.quiet.readings[..self.world.problem.notes.equations.len()] {
             for statement in problem.statements.iter().flatten() {

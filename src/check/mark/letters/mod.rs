@@ -2,13 +2,15 @@
 //!
 //! Declared letters come first. If the hand-in then has a false line or lacks a result, and names of its own, the ways to
 //! take them for unused names of the problem, or for rates of its coordinates, are tried, the likeliest first. The best one
-//! counts, if it makes more true than none. First come the ways by which a line is one of the problem ([`matching`]). A way is likely if a letter differs only in its case or its subscript, if
-//! angles stand for angles, and if v and a are a velocity and an acceleration.
+//! counts, if it makes more true than none. First come the ways by which a line is one of the problem ([`matching`]). A way is likely
+//! if a letter differs only in its case or its subscript, if angles stand for angles, and if v and a are a velocity and an
+//! acceleration. A letter that the problem uses has another meaning only where several lines support that ([`supported`]).
 //!
 //! Offers `best`, the hand-in judged with the letters that fit best. Knows `judge` and `written` of `mark`, `usage`, and `document` and
 //! below.
 
 mod matching;
+mod supported;
 mod ways;
 
 pub(super) use matching::head;

@@ -1,6 +1,7 @@
 //! The ways in which the letters of a hand-in may be those of the problem, the likeliest first, and the best of them.
 
 use super::matching::{self, may_stand_for};
+use super::supported;
 use std::collections::HashMap;
 
 use crate::Result;
@@ -19,7 +20,7 @@ use crate::check::mark::marked::Mark;
 use crate::check::mark::names::{Letters, Names, Role, StandsFor};
 use crate::check::mark::problem::{self, Problem};
 use crate::check::mark::world::World;
-use crate::check::mark::written::{Written, functions, instants, single_letters, written};
+use crate::check::mark::written::{Written, accelerations, functions, instants, signs, single_letters, written};
 
 /// The most ways that are tried.
 const WAYS: usize = 60;
@@ -40,6 +41,8 @@ pub(in crate::check::mark) fn best(
     define_macros(&notes.macros, &mut macros);
     let mut lines = written(notes, &macros);
     instants::without_ohms(&mut lines, &problem.names);
+    signs::named(&mut lines, &problem.names);
+    accelerations::named(&mut lines, &problem.names, &problem.notes);
     let mut instants = instants::named(&mut lines, &problem.names);
     functions::of_constants(&mut lines, &problem.names, &mut instants);
     single_letters::instants(&mut lines, &problem.names, &macros);
@@ -82,7 +85,8 @@ pub(in crate::check::mark) fn best(
             // A guess that makes more lines false than the letters before is no better for other lines that it makes true.
             let is_false = |judged: &Judged| judged.lines.iter().filter(|line| line.mark == Mark::Wrong).count();
             let is_sound = is_false(&judged) <= most_false || is_likely(&way, &declared) || by_form.contains(&way);
-            if judged.is_complete() && judged.score() > score && is_sound {
+            let is_supported = supported::is_supported(problem, (&declared, &way), &names, (&tried[0].1, &judged));
+            if judged.is_complete() && judged.score() > score && is_sound && is_supported {
                 most_false = most_false.max(is_false(&judged));
                 is_whole = self::is_whole(&judged);
                 (score, best) = (judged.score(), way.clone());

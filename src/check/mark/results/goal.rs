@@ -30,6 +30,8 @@ pub(super) struct Goal {
     others: Vec<SymbolId>,
     /// What the claim says that the result is too.
     also: Option<Expr>,
+    /// Whether it is a secular equation: then an equation for amplitudes is a step on the way.
+    is_secular: bool,
 }
 
 impl Goal {
@@ -68,7 +70,8 @@ impl Goal {
         symbols.dedup();
         let is_own = |id: &SymbolId| symbols.iter().any(|(own, _)| own == id);
         let others = super::names(checker, world.problem).into_iter().filter(|id| !is_own(id)).collect();
-        (!links.is_empty()).then_some(Goal { model, links, hypotheses, symbols, is_law, others, also })
+        let is_secular = claim.secular_for.is_some();
+        (!links.is_empty()).then_some(Goal { model, links, hypotheses, symbols, is_law, others, also, is_secular })
     }
 
     /// Whether a link gives a number, or a formula of fewer names, for a wanted quantity that does not vary: the student has put
@@ -244,6 +247,7 @@ impl Goal {
                 continue;
             }
             match checker.model.meaning(id) {
+                _ if self.is_secular && world.problem.names.symbols.len() > id.0 => return None,
                 Some(Meaning::System(_)) => return None,
                 Some(Meaning::Defined(_)) if of_problem(id) || self.others.contains(&id) => return None,
                 // A letter or primes for a rate say nothing of their own.

@@ -38,7 +38,7 @@ pub(super) fn found(
     lines: &mut [Line],
     (premises, corrected): (&[Reading], Option<&[Option<String>]>),
 ) -> Result<Vec<Option<Found>>> {
-    let is_at = |line: &Line| matches!(line.because, Because::AtSpeed(_) | Because::AtValue(..));
+    let is_at = |line: &Line| matches!(line.because, Because::AtSpeed(_) | Because::AtValue(..) | Because::OtherOrder);
     let is_at_value: Vec<bool> = lines.iter().map(is_at).collect();
     let readings = |at: usize| {
         let display = world.first + at;

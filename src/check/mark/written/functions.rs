@@ -14,7 +14,8 @@ pub(in crate::check::mark) fn of_constants(lines: &mut [Written], known: &Names,
     let mut found: Vec<(String, String)> = Vec::new();
     for (name, argument) in lines.iter().filter_map(|line| given(&line.text)) {
         let is_new = found.iter().all(|(other, _)| other != name);
-        if is_new && is_quantity(name, known) && is_constant(argument, known) {
+        // After `V = a/r` or `V(r) = a/r`, where r moves, V(r_0) is a value of it.
+        if is_new && is_quantity(name, known) && is_constant(argument, known) && !is_of_what_moves(lines, name, known) {
             found.push((name.to_owned(), argument.to_owned()));
         }
     }
@@ -42,6 +43,22 @@ fn given(text: &str) -> Option<(&str, &str)> {
     let (_, open, close) = applications(text).into_iter().find(|(at, ..)| *at == start)?;
     let is_given = text[close + 1..].trim_start().trim_start_matches('&').trim_start().starts_with('=');
     is_given.then(|| (text[start..open].trim(), text[open + 1..close].trim()))
+}
+
+/// Whether a line before says what a quantity is as a function of something that moves: `V = a/r`, `V(r) = a/r`.
+fn is_of_what_moves(lines: &[Written], name: &str, known: &Names) -> bool {
+    let moves = |text: &str| {
+        let parsed = names::parse(text.trim()).map(|(name, _)| name);
+        parsed.is_some_and(|name| known.names.iter().any(|(own, role, _)| *own == name && *role == Role::Moving))
+    };
+    lines.iter().any(|line| {
+        if let Some((other, argument)) = given(&line.text) {
+            return other == name && moves(argument);
+        }
+        let Some((left, right)) = line.text.split_once('=') else { return false };
+        let letters = right.char_indices().filter_map(|(at, _)| Some(&right[at..foreign::quantity(right, at)?]));
+        left.trim() == name && letters.into_iter().any(moves)
+    })
 }
 
 /// The quantities of a text with a parenthesis after them: where each starts, and where its parenthesis opens and closes.

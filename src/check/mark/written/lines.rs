@@ -41,6 +41,8 @@ pub(in crate::check::mark) struct Written {
     pub is_extremum: bool,
     /// Whether the text before it speaks of such a place.
     pub is_after_extremum: bool,
+    /// Whether the text before it speaks of rest or of an equilibrium.
+    pub is_at_rest: bool,
     /// Whether the text before it says that something is small.
     pub is_near: bool,
     /// Edits of what is read that make it readable.
@@ -145,6 +147,10 @@ pub(in crate::check::mark) fn written(notes: &Notes, macros: &Macros) -> Vec<Wri
                     let before = text[..span.start].to_lowercase();
                     EXTREMUM.iter().any(|word| before.contains(word))
                 },
+                is_at_rest: {
+                    let before = text[..span.start].to_lowercase();
+                    REST.iter().any(|word| before.contains(word))
+                },
                 is_near: SMALL.iter().any(|word| text[..span.start].to_lowercase().contains(word)),
                 edits: Vec::new(),
             });
@@ -244,6 +250,22 @@ const EXTREMUM: [&str; 18] = [
     "risonan",
     "największ",
     "najmniejsz",
+];
+
+/// Words for rest, and beginnings of such words, in some languages.
+const REST: [&str; 12] = [
+    "equilib",
+    "équilib",
+    "equilíb",
+    "at rest",
+    "can rest",
+    "rests",
+    "gleichgewicht",
+    "ruhelage",
+    "repos",
+    "reposo",
+    "równowa",
+    "riposo",
 ];
 
 /// Whether the clause before a place contains one of some words.

@@ -142,7 +142,7 @@ pub(in crate::check::mark) fn as_written(text: &str) -> String {
 }
 
 /// Where a letter stands alone, without dots, subscript or primes.
-fn single(text: &str, letter: &str) -> Vec<Span> {
+pub(super) fn single(text: &str, letter: &str) -> Vec<Span> {
     let mut found = Vec::new();
     let mut at = 0;
     while let Some(step) = text[at..].chars().next().map(char::len_utf8) {
