@@ -7,6 +7,8 @@ mod support;
 
 #[path = "cli/bad_input.rs"]
 mod bad_input;
+#[path = "cli/chapters.rs"]
+mod chapters;
 #[path = "cli/contract.rs"]
 mod contract;
 #[path = "cli/damage.rs"]

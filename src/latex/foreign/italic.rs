@@ -19,11 +19,11 @@ pub(super) fn units_after(text: &str, number: usize) -> Option<(Span, String)> {
         return Some((Span::new(start, text.len() - after.len()), upright));
     }
     let is_part = |c: char| c.is_ascii_alphanumeric() || "/^{}-".contains(c);
-    let mut word = &rest[..rest.find(|c: char| !is_part(c)).unwrap_or(rest.len())];
+    let word = &rest[..rest.find(|c: char| !is_part(c)).unwrap_or(rest.len())];
     // A brace that closes a group before the unit is no part of it.
-    while word.matches('}').count() > word.matches('{').count() {
-        word = &word[..word.rfind('}')?];
-    }
+    let closes_more =
+        |(at, c): &(usize, char)| *c == '}' && word[..=*at].matches('}').count() > word[..*at].matches('{').count();
+    let word = &word[..word.char_indices().find(closes_more).map_or(word.len(), |(at, _)| at)];
     let is_whole = !rest[word.len()..].trim_start().starts_with(['_', '(', '\'', '^']);
     Some((Span::new(start, start + word.len()), upright(word).filter(|_| is_whole)?))
 }

@@ -118,6 +118,7 @@ fn a_comparison_before_an_arrow_is_a_condition() {
         // a derivation
         ("F = m a \\Rightarrow a = F/m", "F = m·a ¦ a = F/m"),
         ("a = b \\Rightarrow c > d", "a = b ¦ c > d"),
+        ("N \\le F \\Rightarrow c \\ge N/F", "N ≤ F ¦ c ≥ N/F"),
     ]);
 }
 

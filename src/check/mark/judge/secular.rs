@@ -131,7 +131,7 @@ fn with_root(formula: &Expr, (id, power): (SymbolId, u32), value: &Expr) -> Opti
     new.substitute(&|node| {
         let (_, own) = power_of(&Expr::new(node.clone(), span)).filter(|(of, _)| *of == id)?;
         let times = own.checked_div(power).filter(|times| *times > 0 && times * power == own)?;
-        let exponent = Expr::integer(times.try_into().ok()?, span);
+        let exponent = Expr::integer(times, span);
         Some(Expr::new(Node::Power(Box::new(value.clone()), Box::new(exponent)), span))
     });
     new.symbols().iter().all(|(other, _)| *other != id).then_some(new)

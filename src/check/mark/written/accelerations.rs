@@ -57,7 +57,7 @@ pub(in crate::check::mark) fn named(lines: &mut [Written], known: &Names, proble
 fn the_acceleration(text: &str, known: &Names) -> Option<String> {
     let small = text.to_lowercase();
     let after = |word: &str| {
-        let found = small.match_indices(word).find_map(|(at, _)| {
+        small.match_indices(word).find_map(|(at, _)| {
             let is_of_angle = OF_AN_ANGLE.iter().any(|before| small[..at].ends_with(before));
             // In small letters a text may have another length.
             let rest = text.get(at + word.len()..)?;
@@ -65,8 +65,7 @@ fn the_acceleration(text: &str, known: &Names) -> Option<String> {
             let (name, _) = rest.split_once('$')?;
             let parsed = names::parse(name.trim())?.0;
             (!is_of_angle && known.fixed.contains(&parsed)).then(|| name.trim().to_owned())
-        });
-        found
+        })
     };
     ACCELERATION.iter().find_map(|word| after(word))
 }

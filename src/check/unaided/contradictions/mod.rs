@@ -8,7 +8,7 @@
 //! Offers `weighed`, which changes the findings on displays that contradict each other. Knows `repair` and below.
 
 pub(super) mod premises;
-mod unsupported;
+pub(super) mod unsupported;
 mod vouched;
 
 use crate::Result;

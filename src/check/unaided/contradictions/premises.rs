@@ -9,8 +9,8 @@ use crate::Result;
 use crate::check::repair::culprit::is_common;
 use crate::check::repair::ranking::{adds_parentheses, rank};
 use crate::check::repair::suggest::is_in_source;
+use crate::check::unaided::contradictions::vouched;
 use crate::check::unaided::contradictions::{consistent, contradicted, open, refuted, undecided};
-use crate::check::unaided::contradictions::{unsupported, vouched};
 use crate::check::unaided::course::Course;
 use crate::check::unaided::course::examples::LOST_FACTORS;
 use crate::check::unaided::dimensions;
@@ -93,7 +93,7 @@ pub(in crate::check::unaided) fn weighed(course: &Course<'_, '_>, found: &mut [E
             found[by] = open(&found[by], &name, repair);
         }
     }
-    unsupported::against_premises(course, found)
+    Ok(())
 }
 
 /// Leaves open the displays that contradict one premise from which nothing follows: a slip in the premise is likelier than one in each of

@@ -63,7 +63,7 @@ pub(super) fn against_definitions(checker: &Checker<'_>, first: usize, found: &m
 ///
 /// # Errors
 /// As for a check of an equation.
-pub(super) fn against_premises(course: &Course<'_, '_>, found: &mut [Equation]) -> Result<()> {
+pub(in crate::check::unaided) fn against_premises(course: &Course<'_, '_>, found: &mut [Equation]) -> Result<()> {
     let first = course.scope.carried;
     for (at, set) in &course.unsupported {
         let Some(place) = at.checked_sub(first).filter(|place| found.get(*place).is_some_and(is_open)) else {

@@ -34,8 +34,16 @@ impl Course<'_, '_> {
             pairs.map(|pair| [pair[0].clone(), pair[1].clone()]).collect()
         };
         let (before, after) = (pairs(&self.checker.readings[chain].statements), pairs(&reading.statements));
+        // A name that the chain itself defines has the formula that is corrected.
+        let defines = |pair: &[Expr; 2]| {
+            let name = pair[0].as_plain_symbol();
+            name.is_some_and(|id| self.checker.readings[chain].introduced.iter().any(|new| new.symbol == id))
+        };
         before.len() != after.len()
-            || before.iter().zip(&after).any(|(before, after)| self.are_equal(before) && !self.are_equal(after))
+            || before
+                .iter()
+                .zip(&after)
+                .any(|(before, after)| !defines(before) && self.are_equal(before) && !self.are_equal(after))
     }
 
     /// Whether two formulas are equal in all states.

@@ -125,6 +125,7 @@ pub(super) fn judged_again(
         found.push(equation);
     }
     contradictions::premises::weighed(&course, &mut found)?;
+    contradictions::unsupported::against_premises(&course, &mut found)?;
     for examples::Contradicted { definition, repair, by } in &course.contradicted {
         let (place, by) = (definition - scope.carried, by - scope.carried);
         // What was judged in another section is gone.

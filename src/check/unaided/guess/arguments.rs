@@ -5,7 +5,7 @@ const NAMES: [&str; 3] = ["\\mathcal{L}", "\\mathscr{L}", "L"];
 
 /// The text of a display with blanks in the place of the arguments of a Lagrangian; `None` if it has none. A rate stands among the arguments, or
 /// they would be a factor: L(a + b).
-pub(in crate::check::unaided) fn blanked(text: &str) -> Option<String> {
+pub(crate) fn blanked(text: &str) -> Option<String> {
     let mut kept = text.to_owned();
     for name in NAMES {
         for (start, _) in text.match_indices(name) {

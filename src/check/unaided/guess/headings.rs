@@ -276,7 +276,8 @@ fn headings(text: &str) -> Vec<Mark> {
         let words = if is_underline { before } else { content };
         let is_example =
             environment.is_some_and(|at| at < 3) || is_block_of_an_example(content) || names_an_example(words);
-        let is_step = is_step(words);
+        // "Second example. The potential …" begins a system.
+        let is_step = !is_example && is_step(words);
         let example = level.filter(|_| is_example);
         found.extend(level.map(|level| Mark { at: start, level, lowest: level, example, is_step }));
         (start, before) = (start + line.len(), content);

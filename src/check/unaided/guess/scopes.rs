@@ -198,6 +198,6 @@ fn without_names_of_others(notes: &Notes, outline: &Outline, carried: usize) -> 
         own.inline.retain(|span| first.span.start <= span.start + NEAR && span.start <= last.span.end);
     }
     let mut read = notes.clone();
-    read.equations = open_energies::without_names(&own, &outline.macros, &|_| false).into_owned().equations;
+    read.equations = open_energies::without_names(&own, &outline.macros, true, &|_| false).into_owned().equations;
     read
 }
