@@ -104,12 +104,14 @@ pub(crate) struct WholeDisplays<'s> {
 }
 
 impl WholeDisplays<'_> {
-    /// Those without the displays of these names, which only repeat the definition: they hold with any multiple of it too.
+    /// Those without the displays of these names, which only repeat the definition. Of several statements one may repeat it, and another
+    /// one use it: then the display fails with a multiple of the formula.
     pub(crate) fn without(mut self, names: &[String]) -> Self {
         let double = self.model_with(&twice(&self.introduced.formula));
         let repeats = |at: &usize| {
             names.contains(&format!("({})", shown(&self.checker.notes.equations[*at])))
-                && double.as_ref().is_none_or(|model| !self.fails(*at, model))
+                && (self.checker.without_definitions(*at).statements.len() < 2
+                    || double.as_ref().is_none_or(|model| !self.fails(*at, model)))
         };
         let kept = self.displays.iter().copied().filter(|at| !repeats(at)).collect();
         self.displays = kept;
