@@ -18,6 +18,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::Equation;
 use crate::formula::{Expr, Statement, SymbolId};
+use crate::latex::slips::Slip;
 use crate::notes::claims::Claim;
 use crate::source::Span;
 
@@ -45,7 +46,7 @@ pub(super) fn against_definitions(checker: &Checker<'_>, first: usize, found: &m
         if culprit.at > at
             || is_about_another
             || !is_untouched
-            || !is_common(culprit.repair.slip)
+            || !is_plain(culprit.repair.slip)
             || gives_its_name(checker, at, culprit.at)
             || dimensions::are_spoilt(checker, culprit.at, &culprit.repair)
         {
@@ -79,7 +80,7 @@ pub(in crate::check::unaided) fn against_premises(course: &Course<'_, '_>, found
             if !is_free {
                 continue;
             }
-            let Some(repair) = edited(course, *at, set, premise)?.filter(|repair| is_common(repair.slip)) else {
+            let Some(repair) = edited(course, *at, set, premise)?.filter(|repair| is_plain(repair.slip)) else {
                 continue;
             };
             let (id, name) = (found[place].id.clone(), found[premised].id.clone());
@@ -89,6 +90,12 @@ pub(in crate::check::unaided) fn against_premises(course: &Course<'_, '_>, found
         }
     }
     Ok(())
+}
+
+/// Whether authors make slips of this kind often, and the correction puts no other letter into a relation: with another letter it may be
+/// a relation between other things.
+fn is_plain(slip: Slip) -> bool {
+    is_common(slip) && !matches!(slip, Slip::Symbol | Slip::Index)
 }
 
 fn explained(id: &str, what: &str) -> String {
