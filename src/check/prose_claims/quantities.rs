@@ -71,8 +71,9 @@ fn conserved(notes_names: &NotesNames<'_>, at: usize) -> Option<ProseClaim> {
         before.says(&["energ", "énerg"]) && !before.says(&["kinet", "potential", "kinét", "potenti", "cinét"]);
     let is_said = says(&before) || says(&Sentence::after(notes_names.notes, at));
     let condition = notes_names.equality_but_for_constant(at)?;
-    // A formula of velocities with the letter of the energy needs no word.
-    if !is_said && !is_energy && !prints_derivative(&condition, &notes_names.macros) {
+    // A formula of velocities with the letter of the energy needs no word; where a claims file is, the name may mean something else.
+    let is_guessed = notes_names.claims.guesses.is_some();
+    if !is_said && !is_energy && !(is_guessed && prints_derivative(&condition, &notes_names.macros)) {
         return None;
     }
     let given = notes_names.usages.iter().find(|usage| usage.introduced == Some(at) && usage.arguments.is_none())?;
