@@ -208,7 +208,11 @@ The upper position, $\theta = \pi$, is unstable, for
 
 $$ \frac{d^2 V}{d\theta^2} = -m g l \tag{3} $$
 ";
-    passes_and_finds(&claims, notes, &[("3", "= -m g l", "= -2m g l"), ("3", "= -m g l", "= m g l")]);
+    passes_and_finds(
+        &claims,
+        notes,
+        &[("3", r"= -m g l \tag", r"= -2m g l \tag"), ("3", r"= -m g l \tag", r"= m g l \tag")],
+    );
 }
 
 #[test]
@@ -266,7 +270,7 @@ $$ E = k A^2 \tag{3} $$
 ";
     let found = checked(&claims, notes);
     assert_eq!(of(&found, "3").finding.verdict, Verdict::Refuted);
-    assert_eq!(of(&found, "3").repairs[0].replacement.trim(), r"\frac{1}{2} \,");
+    assert!(of(&found, "3").repairs.iter().any(|repair| repair.replacement.trim() == r"\frac{1}{2} \,"));
 }
 
 #[test]
