@@ -73,7 +73,8 @@ fn conserved(notes_names: &NotesNames<'_>, at: usize) -> Option<ProseClaim> {
     let condition = notes_names.equality_but_for_constant(at)?;
     // A formula of velocities with the letter of the energy needs no word; where a claims file is, the name may mean something else.
     let is_guessed = notes_names.claims.guesses.is_some();
-    if !is_said && !is_energy && !(is_guessed && prints_derivative(&condition, &notes_names.macros)) {
+    let is_a_formula_of_velocities = is_guessed && prints_derivative(&condition, &notes_names.macros);
+    if !is_said && !is_energy && !is_a_formula_of_velocities {
         return None;
     }
     let given = notes_names.usages.iter().find(|usage| usage.introduced == Some(at) && usage.arguments.is_none())?;
