@@ -66,8 +66,11 @@ pub(super) fn weighed(run: &Run<'_>, notes: &Notes, found: &mut [Equation], judg
     let mut best: Option<(usize, Suspicion)> = None;
     let mut judged = 0;
     for suspicion in suspicions {
+        if judged == JUDGED {
+            break;
+        }
         let Some(edited) = with_repair(notes, &suspicion.repair) else { continue };
-        if judged == JUDGED || !pass(&quick, &claims, &(judge.named)(&edited), &tested) {
+        if !pass(&quick, &claims, &(judge.named)(&edited), &tested) {
             continue;
         }
         judged += 1;
