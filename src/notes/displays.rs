@@ -6,6 +6,7 @@
 
 use super::display::{Display, Numbered};
 
+use super::inner_numbers::{self, Body};
 use super::rows;
 use super::tex_scanner::{self, Delimiter, Name, RawDisplay};
 use crate::source::{Fault, Source, Span};
@@ -338,43 +339,15 @@ impl Work<'_> {
         }
     }
 
-    /// `$$… = 0 (2.8)$$`: a number at the end of a display, behind a space.
-    ///
-    /// A product may end the same way, so the chapter must be one that other numbers of the file have too.
+    /// Numbers that are printed inside of their displays.
     fn numbers_inside(&mut self, pieces: &mut [Piece]) {
-        let chapter = |id: &str| id.split_once('.').map(|(chapter, _)| chapter.to_owned());
-        let mut found = Vec::new();
-        for (i, piece) in pieces.iter().enumerate() {
-            if piece.number.is_none()
-                && let Some(numbered) = self.number_inside(piece.body)
-            {
-                found.push((i, numbered));
-            }
+        let number = |piece: &Piece| piece.number.as_ref().map(|number| number.id.clone());
+        let displays: Vec<Body> =
+            pieces.iter().map(|piece| Body { span: piece.body, number: number(piece) }).collect();
+        for (i, numbered) in inner_numbers::find(self.source, &self.clean, &displays) {
+            blank(&mut self.clean, [&numbered.span]);
+            pieces[i].number = Some(numbered);
         }
-        let printed: std::collections::HashSet<String> =
-            pieces.iter().filter_map(|piece| chapter(&piece.number.as_ref()?.id)).collect();
-        for (i, (numbered, blanked)) in found {
-            if printed.is_empty() || chapter(&numbered.id).is_some_and(|chapter| printed.contains(&chapter)) {
-                blank(&mut self.clean, [&blanked]);
-                pieces[i].number = Some(numbered);
-            }
-        }
-    }
-
-    fn number_inside(&self, body: Span) -> Option<(Numbered, Span)> {
-        let (text, trimmed) = (&self.clean[body.range()], self.clean[body.range()].trim_ascii_end());
-        let open = trimmed.iter().rposition(|&b| b == b'(')?;
-        let (id, end) = tex_scanner::number(self.source, body.start + open)?;
-        let dotted =
-            id.split_once('.').is_some_and(|(a, b)| is_digits(a) && is_digits(b.trim_end_matches(char::is_alphabetic)));
-        let before = &text[..open];
-        let spaced = before.last().is_some_and(u8::is_ascii_whitespace)
-            || before.ends_with(b"\\quad")
-            || before.ends_with(b"\\qquad");
-        (dotted && spaced && end == body.start + trimmed.len()).then(|| {
-            let span = Span::new(body.start + open, end);
-            (Numbered { id: id.to_owned(), span }, span)
-        })
     }
 
     /// Joins neighbouring displays, and extracts the texts.
@@ -446,10 +419,6 @@ impl Work<'_> {
 struct Sign {
     at: usize,
     comma: bool,
-}
-
-fn is_digits(text: &str) -> bool {
-    !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
 }
 
 /// A counter of lines that goes on from the place before, so that all of them are found in linear time.

@@ -19,6 +19,7 @@ mod displays;
 pub(crate) mod document;
 mod file;
 pub mod formats;
+mod inner_numbers;
 pub(crate) mod json;
 mod kind;
 mod macros;

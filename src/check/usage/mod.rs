@@ -2,7 +2,10 @@
 //!
 //! Offers `names_of`, each name with how it is used. Knows LaTeX and notes, and no other folder of `check`.
 
+mod chains;
 mod differentials;
+mod entry;
 mod names;
 
-pub(crate) use names::{Usage, names_of};
+pub(crate) use entry::Usage;
+pub(crate) use names::names_of;

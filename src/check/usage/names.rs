@@ -5,54 +5,11 @@ use crate::latex::layout::{Delimiter, Item, Layout, typeset_items};
 use crate::latex::{Macros, names};
 use crate::notes::Display;
 
+use super::chains::{Side, follow, name_at_the_end};
 use super::differentials::{
     contents, difference, differential_of, is_by_time, is_differential, is_factor, is_letter_d, is_mark,
 };
-
-/// How a name stands in the displays of a document.
-#[derive(Clone, Debug)]
-pub(crate) struct Usage {
-    /// The name.
-    pub name: Name,
-    /// Whether it stands somewhere with a dot, or after d in d/dt.
-    pub moves: bool,
-    /// Whether it stands under a root, in a denominator or in a logarithm.
-    pub positive: bool,
-    /// Whether it stands alone between bars, as E in |E|.
-    pub modulus: bool,
-    /// Whether it stands alone in a sine or a cosine.
-    pub angle: bool,
-    /// Whether it stands before the time, a place or a parenthesis in a sine: ω in sin ωt, k in sin k(x − a). Then it is no angle.
-    pub scales: bool,
-    /// Whether it stands alone on one side of a relation whose other side moves.
-    pub follows: bool,
-    /// Whether it stands in a formula that is said to be constant, and not in an exponent.
-    pub conserved: bool,
-    /// Whether it stands in an exponent of another name than e.
-    pub raises: bool,
-    /// The names of which it is the product, where a display says so.
-    pub product: Option<Vec<Name>>,
-    /// Whether it is all of a numerator or a denominator.
-    pub divides: bool,
-    /// Whether it stands directly before another name somewhere, as the d of dx does.
-    pub precedes: bool,
-    /// Whether something is differentiated by it, or by its rate.
-    pub differentiates: bool,
-    /// The names by which it is differentiated with d, other than the time: x for `\frac{dM}{dx}`.
-    pub differentiated_by: Vec<Name>,
-    /// Whether it has an exponent other than a whole number, as Euler's number does.
-    pub exponential: bool,
-    /// The first display with it.
-    pub first: usize,
-    /// The first display of which it is the whole left side.
-    pub introduced: Option<usize>,
-    /// Whether it is the left side of a relation somewhere, alone or with its arguments.
-    pub given: bool,
-    /// Whether each of these left sides is a power of it: `\omega^2 = …`.
-    pub only_a_power: bool,
-    /// The names in parentheses directly after it.
-    pub arguments: Option<Vec<Name>>,
-}
+use super::entry::{Usage, entry};
 
 /// Environments whose rows are statements.
 const ROWS: [&str; 8] = ["equation", "align", "aligned", "alignedat", "gather", "gathered", "split", "eqnarray"];
@@ -91,6 +48,7 @@ pub(crate) fn names_of(displays: &[Display], macros: &Macros) -> Vec<Usage> {
         }
         let has_coefficient = crate::latex::has_coefficient(&display.text, macros);
         walk(&items, Place { has_coefficient, ..Place::default() }, at, &mut found);
+        let mut before = Vec::new();
         for statement in items.split(ends_statement) {
             if let [left, right] = statement.split(is_relation).collect::<Vec<_>>().as_slice()
                 && let Some(name) = lone_name(left)
@@ -98,10 +56,16 @@ pub(crate) fn names_of(displays: &[Display], macros: &Macros) -> Vec<Usage> {
             {
                 entry(&mut found, &name, at).product.get_or_insert(product);
             }
-            if statement.iter().any(|item| crate::latex::says_constant(item).is_some()) {
+            let is_constant = statement.iter().any(|item| crate::latex::says_constant(item).is_some());
+            if is_constant {
                 walk(statement, Place { conserved: true, has_coefficient, ..Place::default() }, at, &mut found);
             }
-            statements.push(sides(statement));
+            let sides = sides(statement);
+            if let Some(name) = name_at_the_end(&sides, is_constant).filter(|name| !before.contains(name)) {
+                note_introduced(entry(&mut found, &name, at), at);
+            }
+            before.extend(sides.iter().flat_map(|(_, inside)| inside.clone()));
+            statements.push(sides);
         }
     }
     found.iter_mut().for_each(|usage| usage.angle &= !usage.scales);
@@ -186,9 +150,7 @@ fn unwrapped(items: Vec<Item>) -> Vec<Item> {
     found
 }
 
-/// The sides of a statement: the name that is all of it, if one is; and the names in it.
-type Side = (Option<Name>, Vec<Name>);
-
+/// The sides of a statement.
 fn sides(statement: &[Item]) -> Vec<Side> {
     let side = |items: &[Item]| {
         let mut inside = Vec::new();
@@ -231,35 +193,6 @@ fn product(items: &[Item]) -> Option<Vec<Name>> {
         .collect()
 }
 
-/// Marks the names that are equal to something that moves or contains the time.
-fn follow(statements: &[Vec<Side>], found: &mut [Usage]) {
-    let named = |found: &[Usage], is_it: fn(&Usage) -> bool| {
-        let names = found.iter().filter(|usage| is_it(usage)).map(|usage| usage.name.clone());
-        names.chain([Name::plain("t")]).collect::<Vec<Name>>()
-    };
-    let dotted = named(found, |usage| usage.moves);
-    loop {
-        let moving = named(found, |usage| usage.moves || usage.follows);
-        let mut more = Vec::new();
-        for sides in statements {
-            let contains = |names: &[Name]| {
-                sides.iter().any(|(alone, inside)| alone.is_none() && inside.iter().any(|name| names.contains(name)))
-            };
-            // On the right a constant may stand, as of a conserved quantity.
-            let (on_the_left, on_the_right) = (contains(&moving), contains(&dotted));
-            let alone = sides.iter().enumerate().filter(|(at, _)| if *at == 0 { on_the_left } else { on_the_right });
-            let alone = alone.filter_map(|(_, (alone, _))| alone.as_ref());
-            more.extend(alone.filter(|name| !moving.contains(name)).cloned());
-        }
-        if more.is_empty() {
-            return;
-        }
-        for usage in found.iter_mut().filter(|usage| more.contains(&usage.name)) {
-            usage.follows = true;
-        }
-    }
-}
-
 /// Letters of angles: `\sin\theta(a + b)` is a product.
 const ANGLES: [&str; 9] =
     ["\\theta", "\\vartheta", "\\phi", "\\varphi", "\\psi", "\\alpha", "\\beta", "\\gamma", "\\chi"];
@@ -299,6 +232,11 @@ fn is_relation(item: &Item) -> bool {
     }
 }
 
+/// Notes that a display gives a name a formula, if none uses it before.
+fn note_introduced(usage: &mut Usage, at: usize) {
+    usage.introduced = usage.introduced.or(Some(at)).filter(|_| usage.first == at || usage.introduced.is_some());
+}
+
 /// Notes a name that is the whole left side here.
 fn note_left(items: &[Item], at: usize, found: &mut Vec<Usage>) {
     // `L := T - V`
@@ -318,39 +256,10 @@ fn note_left(items: &[Item], at: usize, found: &mut Vec<Usage>) {
     };
     if after.is_some_and(|after| is_relation(after)) {
         let usage = entry(found, &name, at);
-        usage.introduced = usage.introduced.or(Some(at)).filter(|_| usage.first == at || usage.introduced.is_some());
+        note_introduced(usage, at);
         usage.only_a_power = is_power && (usage.only_a_power || !usage.given);
         usage.given = true;
     }
-}
-
-fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'f mut Usage {
-    let place = found.iter().position(|usage| usage.name == *name).unwrap_or_else(|| {
-        found.push(Usage {
-            name: name.clone(),
-            moves: false,
-            positive: false,
-            modulus: false,
-            angle: false,
-            scales: false,
-            follows: false,
-            conserved: false,
-            raises: false,
-            product: None,
-            divides: false,
-            precedes: false,
-            differentiates: false,
-            differentiated_by: Vec::new(),
-            exponential: false,
-            first: at,
-            introduced: None,
-            given: false,
-            only_a_power: false,
-            arguments: None,
-        });
-        found.len() - 1
-    });
-    &mut found[place]
 }
 
 fn walk(items: &[Item], place: Place, at: usize, found: &mut Vec<Usage>) {

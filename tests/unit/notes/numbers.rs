@@ -72,6 +72,19 @@ fn a_factor_is_no_number() {
 }
 
 #[test]
+fn a_wide_space_parts_a_number_from_the_formula() {
+    let found = md("$$a = b \\qquad (1)$$\n\n$$c = d$$\n\n$$x = y, \\quad(2)$$\n\n$$x = z \\hfill (2a)$$");
+    assert_eq!(numbers(&found), ["1", "", "2", "2a"]);
+    // A part of longer notes may begin with another number than 1, and tags count too.
+    assert_eq!(numbers(&md("$$a = b \\qquad (7)$$\n\n$$c = d \\qquad (8)$$")), ["7", "8"]);
+    assert_eq!(numbers(&md("$$a = b \\tag{3}$$\n\n$$c = d \\qquad (4)$$")), ["3", "4"]);
+    // One number alone, one out of order, and one without a wide space may be factors.
+    assert_eq!(numbers(&md("$$a = b \\qquad (7)$$\n\n$$c = d$$")), ["", ""]);
+    assert_eq!(numbers(&md("$$a = b \\qquad (1)$$\n\n$$c = d \\qquad (5)$$")), ["1", ""]);
+    assert_eq!(numbers(&md("$$a = b (1)$$\n\n$$c = d (2)$$")), ["", ""]);
+}
+
+#[test]
 fn after_an_inline_tail() {
     let found = md("$$r = x$$\n , $M = \\int \\lambda$ (2.7)\n\nwhere");
     assert_eq!((numbers(&found), texts(&found)), (vec!["2.7"], vec!["r = x , M = \\int \\lambda".to_owned()]));
