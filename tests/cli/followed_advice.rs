@@ -107,7 +107,7 @@ fn a_key_of_a_claims_file_says_what_it_takes() {
     };
     let notes = "$$ E = \\frac12 m l^2\\dot\\theta^2 - m g l\\cos\\theta \\tag{1} $$\n";
     for (name, claim, says) in [
-        ("conserved", json!({ "conserved": "yes" }), "\"conserved\" is true, without quotation marks"),
+        ("conserved", json!({ "conserved": "yes" }), "write true without quotation marks"),
         ("assume", json!({ "assume": "small angle" }), "“small angle” is not a hypothesis"),
         ("equilibrium", json!({ "equilibrium": "yes" }), "\"equilibrium\" is true"),
         ("skip", json!({ "skip": true }), "write the reason"),

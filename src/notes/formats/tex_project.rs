@@ -57,7 +57,7 @@ impl Project {
         let text = &file.text;
         self.bytes += text.len();
         if self.bytes > LARGEST {
-            return Err(Error::new(format!("{} is too large with the files that it puts in", file.path)));
+            return Err(Error::new(format!("{} and the files that it includes are too large together", file.path)));
         }
         let (mut at, mut end) = (0, text.len());
         // A part that is also a document of its own.
