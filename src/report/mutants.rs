@@ -53,7 +53,8 @@ pub fn text(documents: &[Mutated], verbose: bool, style: Style) -> String {
         }
         let share = |count: usize| 100.0 * count as f64 / tried as f64;
         let line = format!(
-            "of {tried} detected mistakes the first suggestion corrects {first} ({:.1}\u{a0}%), one of three {offered} ({:.1}\u{a0}%)",
+            "the first suggestion corrects {first} of {tried} detected mistakes ({:.1}\u{a0}%), one of the first \
+             three suggestions corrects {offered} ({:.1}\u{a0}%)",
             share(first),
             share(offered)
         );
