@@ -59,8 +59,8 @@ fn answered(arguments: &Arguments) -> Result<Comparison> {
     let mut ranges = Vec::new();
     for given in &arguments.ranges {
         let wrong = || {
-            Error::new(format!("“{given}” is not a range of a letter"))
-                .help("write --where 'x=0.1..3', the lower end first")
+            Error::new(format!("“{given}” does not give the range of a letter"))
+                .help("write the lower end first, as in --where 'x=0.1..3'")
         };
         ranges.push(range(given).ok_or_else(wrong)?);
     }

@@ -138,7 +138,7 @@ fn what_follows_from_the_lagrangian_of_notes_is_derived_and_drawn() {
     let free = desk.onshell(&["derive", "orbit.md"]);
     assert_eq!(free.code, 2);
     assert!(free.err.contains("a function without a formula"), "{}", free.err);
-    assert!(desk.onshell(&["derive", "absent.md"]).err.contains("there are no notes absent.md"));
+    assert!(desk.onshell(&["derive", "absent.md"]).err.contains("there is no file absent.md"));
 }
 
 #[test]

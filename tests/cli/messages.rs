@@ -347,7 +347,7 @@ fn fix_says_what_it_did_or_why_it_did_nothing() {
     says(&run, &["(1) was not edited: no suggestion for it is clear enough"]);
     assert_eq!(text, unclear);
     let (run, _) = fixed("fix-nothing", "$$ a = a b c + 7 \\tag{1} $$\n", &[]);
-    says(&run, &["nothing was edited: no edit is suggested"]);
+    says(&run, &["nothing was edited: there is no suggestion"]);
     let (run, _) = fixed("fix-sound", "$$ a + b = b + a \\tag{1} $$\n", &[]);
     says(&run, &["nothing was edited: everything is as expected"]);
     is_silent(&check("no-fix", wrong, &numbers(json!({}))), &["edited"]);

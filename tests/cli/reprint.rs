@@ -285,6 +285,9 @@ fn claims_about_the_file_itself_are_checked_with_their_sentences() {
     let both = desk.onshell(&["check", "reference.md", "--claims", "elsewhere.json", "absent.json"]);
     assert_eq!(both.code, 2, "{}", both.out);
     let heard = both.err.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(heard.contains("2 claims files are given, and elsewhere.json already belongs to reference.md"), "{heard}");
-    assert!(heard.contains("use only elsewhere.json"), "{heard}");
+    assert!(
+        heard.contains("2 claims files are given, but elsewhere.json is the claims file of reference.md"),
+        "{heard}"
+    );
+    assert!(heard.contains("give only elsewhere.json"), "{heard}");
 }
