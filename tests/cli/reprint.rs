@@ -109,7 +109,7 @@ fn what_is_damaged_is_unreadable_at_its_place() {
         ("accent", r"E = \frac{p^2}{2\bar{\bar{m}}}", "is not declared"),
         ("brace", r"E = \frac{p^2}{2m", "never closed"),
         ("empty", r" ", "display is empty"),
-        ("name", r"K = \frac{p^2}{2m}", "so it is unknown"),
+        ("name", r"K = \frac{p^2}{2m}", "K is unknown"),
         ("cell", r"E = \begin{pmatrix} p & & m \end{pmatrix}", "is empty in column 2"),
         ("no-relation", r"\frac{p^2}{2m}", "without a relation"),
     ] {

@@ -51,7 +51,7 @@ pub(crate) fn by_substitution(
             format!("{} = {}", side(&link.lhs), side(&link.rhs))
         };
         match found.verdict {
-            Verdict::Refuted => found.message = format!("with it {} fails", printed()),
+            Verdict::Refuted => found.message = format!("{} fails for this formula", printed()),
             // Where the formula has no value, it prints no solution.
             Verdict::Domain => {
                 let points = found.points;
