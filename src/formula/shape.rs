@@ -45,7 +45,7 @@ impl Shape {
     pub(super) fn noun(self) -> String {
         match self {
             Shape::Complex => "a complex number".to_owned(),
-            Shape::Abstract => "something without a value".to_owned(),
+            Shape::Abstract => "a quantity that cannot be evaluated".to_owned(),
             Shape::Matrix(0, 0) => "a matrix".to_owned(),
             Shape::Scalar => "a scalar".to_owned(),
             Shape::Vector => "a vector".to_owned(),
@@ -176,7 +176,7 @@ impl Binder<'_> {
             });
         }
         if found.free.iter().any(|letter| !self.is_label(*letter)) {
-            return Err(Fault::index(span, format!("{what} has a free index")));
+            return Err(Fault::index(span, format!("{what} cannot have a free index")));
         }
         Ok(found.free)
     }
@@ -234,13 +234,13 @@ impl Binder<'_> {
             | Node::Commutator(..)
             | Node::Complex(..)
             | Node::Cases(_) => self.operator(expr),
-            Node::Root(_, a) => self.scalar(a, "what is under a root").map(|free| Type { free, ..scalar }),
+            Node::Root(_, a) => self.scalar(a, "the formula under a root").map(|free| Type { free, ..scalar }),
             Node::Call(function, a) => self.call(*function, a, span),
             Node::Apply(id, arguments) if self.symbols.entry(*id).operator.is_some() => self.applied(*id, arguments),
             Node::Apply(_, arguments) => {
                 let mut free = Vec::new();
                 for argument in arguments {
-                    free = union(&free, &self.scalar(argument, "an argument")?);
+                    free = union(&free, &self.scalar(argument, "the angle of a rotation")?);
                 }
                 Ok(Type { shape: Shape::Matrix(3, 3), free })
             }
@@ -276,7 +276,7 @@ impl Binder<'_> {
                 let indices = [*row, *column];
                 let found = self.bind(a)?;
                 if !matches!(found.shape, Shape::Matrix(..)) {
-                    return Err(Fault::shape(span, "two indices need a matrix"));
+                    return Err(Fault::shape(span, "only a matrix can have two indices"));
                 }
                 let letters = self.letters(&indices);
                 let free = self.contract(letters, expr)?;
@@ -286,7 +286,8 @@ impl Binder<'_> {
             Node::SumOver { index, implied: true, body, .. } => self.summed_over(*index, body),
             Node::SumOver { index, body, except, .. } => {
                 if self.summed.contains(index) {
-                    return Err(Fault::index(span, "this index is already summed over")
+                    let letter = &self.symbols.indices[index.0].letter;
+                    return Err(Fault::index(span, format!("the index {letter} is already summed over"))
                         .help("use another index in the inner sum"));
                 }
                 // What bounds the sum is as free as what stands in it.
@@ -334,7 +335,7 @@ impl Binder<'_> {
     fn thrice(&self, index: IndexId, span: Span) -> Fault {
         let letter = &self.symbols.indices[index.0].letter;
         Fault::index(span, format!("the index {letter} occurs more than twice in this term"))
-            .help(format!("if it is summed over, write \\sum_{letter}"))
+            .help(format!("if this index is summed over, write \\sum_{letter}"))
     }
 }
 

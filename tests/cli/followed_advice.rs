@@ -68,7 +68,7 @@ fn a_value_is_computed_or_the_reason_is_given() {
     assert_eq!(onshell("eval", &["eval", "\\int_0^1 x\\, dx"]).1.trim(), "0.5");
     for (arguments, says) in [
         (vec!["\\vec v^2", "--set", "v=1"], "v⃗ is a vector"),
-        (vec!["\\pi", "--set", "\\pi=3"], "π has its value"),
+        (vec!["\\pi", "--set", "\\pi=3"], "the value of π is fixed"),
         (vec!["3\\,\\text{m}", "--set", "m=2"], "the formula has no letters"),
         (vec!["\\begin{pmatrix}1&2\\\\2&4\\end{pmatrix}^{-1}"], "the determinant 0"),
         (vec!["f(x)", "--set", "x=1"], "f has no formula"),
@@ -132,7 +132,7 @@ fn a_name_that_is_not_declared_leads_to_what_it_is() {
     });
     let notes = "$$ \\frac{d\\hat e_1}{dt} = \\omega_3 \\hat e_2 - \\omega_2 \\hat e_3 \\tag{1} $$\n";
     let said = check("component", notes, &turning);
-    assert!(said.contains("if it is a component of \\vec{\\omega}") && said.contains("under \"components\""), "{said}");
+    assert!(said.contains("for a component of \\vec{\\omega}") && said.contains("under \"components\""), "{said}");
     let mut with = turning;
     with["components"] = json!({ "\\vec{\\omega}": "along \\hat e_a" });
     assert!(check("component-then", notes, &with).contains("certified"));

@@ -114,7 +114,7 @@ impl Reader<'_> {
             layout => matches!(layout, Layout::Style(..)),
         });
         if self.symbols.find(&Name::plain("d")).is_some() && !is_upright {
-            return Err(Fault::ambiguous(span, "d may be a differential or the declared symbol")
+            return Err(Fault::ambiguous(span, "d may be a differential or the declared symbol d")
                 .help("write \\mathrm{d} for the derivative"));
         }
         if below != Some(order) {

@@ -199,8 +199,11 @@ impl Reader<'_> {
                 });
             }
             _ => {
-                return Err(Fault::ambiguous(item.span, "this bar may belong to one factor or to all before it")
-                    .help("write \\left. before what it belongs to, and \\right| for the bar"));
+                return Err(Fault::ambiguous(
+                    item.span,
+                    "the bar may belong to one factor, or to all factors before it",
+                )
+                .help("write \\left. before what it belongs to, and \\right| for the bar"));
             }
         }
         Ok(())

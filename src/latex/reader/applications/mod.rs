@@ -441,9 +441,9 @@ impl Reader<'_> {
                 span,
                 format!("a number in parentheses after {name} may be an argument or a factor"),
             )
-            .help(format!(
-                "for a product write \\cdot before it; for a value use a name of its own, such as {name}_0"
-            )));
+            .help(
+                "for a product, write \\cdot before the number; for a value, use a name with a subscript, such as x_0",
+            ));
         }
         Ok(())
     }

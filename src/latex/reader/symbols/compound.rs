@@ -37,7 +37,7 @@ impl Reader<'_> {
         if is_difference && matches!(second.layout, Layout::Root(..)) && self.symbols.infers() && !self.is_abstract() {
             return Err(Fault::ambiguous(
                 first.span.to(second.span),
-                "this may be the change of the root or a product with it",
+                "Δ or δ before a root may mean the change of the root, or a factor",
             )
             .help("put parentheses around the root for the change, and \\cdot before it for a product"));
         }
