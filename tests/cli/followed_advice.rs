@@ -109,7 +109,7 @@ fn a_key_of_a_claims_file_says_what_it_takes() {
     for (name, claim, says) in [
         ("conserved", json!({ "conserved": "yes" }), "write true without quotation marks"),
         ("assume", json!({ "assume": "small angle" }), "“small angle” is not a hypothesis"),
-        ("equilibrium", json!({ "equilibrium": "yes" }), "\"equilibrium\" is true"),
+        ("equilibrium", json!({ "equilibrium": "yes" }), "write true without quotation marks"),
         ("skip", json!({ "skip": true }), "write the reason"),
         ("dropping", json!({ "dropping": "m g l" }), "remove \"dropping\""),
         ("same", json!({ "same motion as": "L" }), "\"Lagrangian\""),
