@@ -20,7 +20,8 @@ use super::values;
 
 /// Checks the equations of notes against their claims
 ///
-/// Notes without a claims file are checked too: what follows, what is introduced, and what is wrong by a likely slip.
+/// Notes without a claims file are checked too. The report says what follows, what is taken for granted, and what one
+/// likely slip has made wrong.
 ///
 /// Exits with 0 if every equation is as expected, 1 if one is not, 2 if something could not be checked.
 #[derive(clap::Args)]

@@ -13,7 +13,7 @@ use super::values;
 /// Tells whether two formulas are equal
 ///
 /// Letters are real numbers, and so are dotted letters. Exits with 0 if the two are equal, 1 if a counterexample shows
-/// that they are not, 2 if neither can be told.
+/// that they are not, 2 if neither was found.
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  onshell equal '\\sin 2x' '2\\sin x\\cos x'")]
 pub struct Arguments {

@@ -18,7 +18,7 @@ use super::values;
 
 /// Marks hand-ins: each line against a problem, and against the lines before it
 ///
-/// The problem is a claims file; its notes are the model solution. Students need no numbers and no particular letters.
+/// The problem is a claims file; its notes are the model solution. Hand-ins need no equation numbers, and may use other letters.
 ///
 /// A line is right (✓: it follows from the problem), wrong (✗), carried (→: a right step from a wrong line), given (a name, a
 /// condition, or what the problem gives), undecided or not read (?). Missing results are listed.
