@@ -83,6 +83,7 @@ impl Reader<'_> {
                 ),
                 NoDerivative::Operation(what) => {
                     Fault::unsupported(span, format!("the derivative of {what} is not supported"))
+                        .help("write its result, or leave the equation out with \"skip\" in a claims file")
                 }
             }
         })

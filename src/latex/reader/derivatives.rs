@@ -40,7 +40,7 @@ impl Reader<'_> {
                 operator.to(first.span),
                 "\\frac{d}{dt} x y may be \\frac{d}{dt}(x) y or \\frac{d}{dt}(x y)",
             )
-            .help("put what it acts on in parentheses, \\frac{d}{dt}(…)"));
+            .help("put what is differentiated in parentheses, \\frac{d}{dt}(…)"));
         }
         *cursor = items.len();
         self.sum(rest, operator)

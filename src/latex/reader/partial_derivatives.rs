@@ -205,7 +205,7 @@ impl Reader<'_> {
                 "\\frac{\\partial}{\\partial x} f g may be \\frac{\\partial}{\\partial x}(f) g or \
                  \\frac{\\partial}{\\partial x}(f g)",
             )
-            .help("put what it acts on in parentheses"));
+            .help("put what is differentiated in parentheses"));
         }
         *cursor = items.len();
         self.sum(rest, operator)
@@ -334,13 +334,10 @@ impl Reader<'_> {
         });
         if let (Some(velocity), Some(momentum)) = (velocity, others.iter().find(|other| is_momentum(other))) {
             let name = |id: SymbolId| self.symbols.entry(id).name.to_string();
+            let (p, q) = (name(momentum.id), name(velocity.id));
             return Err(Fault::ambiguous(
                 span,
-                format!(
-                    "the derivative may keep the momentum {} fixed, or the time derivative of {}",
-                    name(momentum.id),
-                    name(velocity.id)
-                ),
+                format!("the derivative may keep the momentum {p} fixed, or the time derivative of {q}"),
             )
             .help("write the formula in coordinates and velocities, or in coordinates and momenta"));
         }
@@ -405,6 +402,7 @@ impl Reader<'_> {
             }
             NoDerivative::Operation(what) => {
                 Fault::unsupported(span, format!("the derivative of {what} is not supported"))
+                    .help("write its result, or leave the equation out with \"skip\" in a claims file")
             }
         }
     }

@@ -114,6 +114,9 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
             Fault::unsupported(span, "a formula as the label of a brace is not supported")
                 .help("write the label in \\text{…}, or remove the brace")
         }
+        "\\overset" | "\\underset" | "\\stackrel" => Fault::new(span, format!("{name} is not supported here"))
+            .code(Code::UnknownCommand)
+            .help("write the relation or symbol without what stands above or below it"),
         "\\cup" => Fault::unsupported(span, "\\cup joins families of symbols, and is supported under \"where\" only")
             .help("say under \"where\" what the name of the family means in this equation"),
         _ => {

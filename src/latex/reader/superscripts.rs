@@ -110,7 +110,8 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(
                 span,
                 "a letter with a hat may be an operator or a unit vector, so its power is unclear",
-            ));
+            )
+            .help("for the square of a vector, declare the vector in a claims file"));
         }
         if shape == Shape::Vector && whole_number(sup) == Some(2) {
             return Ok(Expr::new(Node::Dot(boxed.clone(), boxed), span));

@@ -83,7 +83,7 @@ impl Reader<'_> {
             let sign = items.iter().filter(|item| item.span == span).cloned().collect::<Vec<_>>();
             let sign = typed(&sign);
             return Err(Fault::new(span, format!("a term is missing after this {sign}"))
-                .help(format!("write it, or remove the {sign}")));
+                .help(format!("write the term, or remove the {sign}")));
         }
         if terms.len() > 1
             && let Some(dots) = dots_after_a_factor(items)

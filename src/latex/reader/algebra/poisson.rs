@@ -108,7 +108,7 @@ impl Reader<'_> {
             let name = name.ok_or_else(|| {
                 Fault::unsupported(
                     below.span,
-                    "below a bracket only the names of coordinates and momenta are supported",
+                    "below a Poisson bracket, only the names of coordinates and momenta are supported",
                 )
             })?;
             let Some((id, _)) = self.symbols.find(&name.name) else {
@@ -138,7 +138,10 @@ impl Reader<'_> {
             return match pairs.is_empty() {
                 false => Ok(pairs),
                 true => Err(Fault::unsupported(span, "the coordinates and momenta of this bracket are not known")
-                    .help("write them below it, as in \\{f, g\\}_{q,p}, or declare \"coordinates\" and a Lagrangian or a Hamiltonian")),
+                    .help(
+                        "write them below the bracket, as in \\{f, g\\}_{q,p}, or \
+                         declare \"coordinates\" and a Lagrangian or a Hamiltonian",
+                    )),
             };
         }
         let named = |name: Name| {

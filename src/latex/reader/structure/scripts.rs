@@ -26,7 +26,7 @@ impl Reader<'_> {
                 span,
                 "a superscript in parentheses, as in x^{(n)}, may be a label or a power",
             )
-            .help("write a power without the parentheses"));
+            .help("write a label as a subscript, x_n, and a power without the parentheses"));
         }
         let is_mark = match is_transpose(sup) {
             true => has_no_powers || self.symbols.inferred.has_transposes,

@@ -81,7 +81,8 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(
                 first.span.to(second.span),
                 "\\delta x may be a variation of x or the product of \\delta and x",
-            ));
+            )
+            .help("for a product, write \\delta \\cdot x"));
         }
         // `\delta J[y]`: the change of the value of a functional.
         if self.is_abstract()

@@ -86,8 +86,10 @@ impl Reader<'_> {
             && self.is_at_another_place(&printed.name, inside)
         {
             let what = format!("{}(…) may be a function or a product", printed.name);
-            return Err(Fault::ambiguous(span.to(place), what)
-                .help("for a product, put a thin space \\, before the parenthesis"));
+            return Err(Fault::ambiguous(span.to(place), what).help(
+                "for a product, put a thin space \\, before the parenthesis; \
+                 for a function, declare it under \"functions\" in a claims file",
+            ));
         }
         if let Some((inside, sup, place)) = next {
             whole = span.to(place);
