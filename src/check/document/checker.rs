@@ -431,7 +431,11 @@ impl Checker<'_> {
     }
 
     fn no_equation(&self, address: &Spanned<String>) -> Error {
-        Error::at(&self.claims.source, address.span, format!("({}) is not an equation", address.value))
+        Error::at(
+            &self.claims.source,
+            address.span,
+            format!("({}) has no relation such as =, and an equation is needed", address.value),
+        )
     }
 
     /// `x \to a`.

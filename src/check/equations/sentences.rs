@@ -393,7 +393,7 @@ fn shapes(checker: &Checker<'_>, sentence: &Sentence, property: &Property) -> Re
                     return Err(Error::at(
                         &checker.claims.source,
                         at.span,
-                        "limits at infinity are not supported here",
+                        "limits at infinity are not supported for a sentence; claim a \"limit\" of an equation instead",
                     ));
                 };
                 let target = match value.value.replace(' ', "").as_str() {
