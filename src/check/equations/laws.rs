@@ -51,7 +51,8 @@ impl Checker<'_> {
                 return Ok(Some(context.finding(Code::NotALaw, Verdict::Undecided, message)));
             }
             if self.model.system.is_some() {
-                let message = "the Lagrangian or the system determines the motion, so this cannot be a law; remove it from `laws`, and it is checked";
+                let message = "the Lagrangian or the system determines the motion, so this cannot be a law; remove it \
+                               from `laws`, so that it is checked";
                 return Ok(Some(context.finding(Code::NotALaw, Verdict::Undecided, message)));
             }
         }

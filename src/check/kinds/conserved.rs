@@ -33,7 +33,8 @@ fn judged(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
         return Ok(context.finding(
             Code::NoMotion,
             Verdict::Undecided,
-            "nothing determines the motion; name a \"system\" or \"laws\" in the claims file",
+            "nothing determines the motion; name a \"system\" or \"laws\", or say which name is the Lagrangian: \
+             \"means\": { \"L\": \"Lagrangian\" }",
         ));
     }
     if let Some(finding) = context.unclear(&[expr]) {

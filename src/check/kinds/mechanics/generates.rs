@@ -46,7 +46,8 @@ fn judged(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
         return Ok(context.finding(
             Code::NoMotion,
             Verdict::Undecided,
-            "there is no system whose motion the formula could generate; name a \"system\"",
+            "there is no system whose motion the formula could generate; name a \"system\", or a Lagrangian under \
+             \"means\"",
         ));
     }
     let varied = match independent_names(hamiltonian, context) {
