@@ -33,7 +33,7 @@ impl Algebra {
             let determinant = self.presented(&determinant)?;
             if determinant.top.is_zero() {
                 return Err(Error::new(
-                    "the mass matrix is singular, so accelerations and velocities cannot be solved for",
+                    "the mass matrix is singular, so no formula gives the accelerations and velocities",
                 )
                 .help("check that L depends on every velocity"));
             }

@@ -83,7 +83,7 @@ impl Address {
     pub fn parse(written: &Spanned<String>, source: &Source) -> Result<Address, Fault> {
         let text = &written.value;
         if text.len() > LONGEST {
-            return Err(invalid(written.span, format!("this address has more than {LONGEST} bytes")));
+            return Err(invalid(written.span, format!("this address is too long: it has more than {LONGEST} bytes")));
         }
         let place = |part: Span| place_in_string(&source.text, written.span, part);
         let mut items = Vec::new();

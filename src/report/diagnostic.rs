@@ -49,7 +49,7 @@ pub(super) fn unexpected(document: &Document, item: &Equation, style: Style) -> 
     }));
     let message = match (&item.because, finding.verdict.passes()) {
         (Some(_), true) => {
-            format!("({}) is {}, and the claims file expects that it does not pass", item.id, finding.verdict)
+            format!("({}) is {}, but the claims file expects that it does not pass", item.id, finding.verdict)
         }
         _ => headline(item, finding),
     };
