@@ -90,9 +90,15 @@ impl Binder<'_> {
             });
         }
         let (are, kind) = if numbers.len() == 1 { ("is", "a number") } else { ("are", "numbers") };
-        match numbers.is_empty() {
-            true => fault.help("write terms that are all numbers, all vectors, or all matrices of one size"),
-            false => fault.help(format!(
+        let has_vector = terms.iter().any(|(_, shape)| *shape == Shape::Vector);
+        match (numbers.is_empty(), has_vector) {
+            (true, _) => fault.help("write terms that are all numbers, all vectors, or all matrices of one size"),
+            (false, true) => fault.help(format!(
+                "{} {are} taken for {kind}; mark a vector with \\vec or \\mathbf, and declare a matrix, as in \
+                 \"M\": \"4x1 matrix\" under \"constants\"",
+                numbers.join(" and ")
+            )),
+            (false, false) => fault.help(format!(
                 "{} {are} taken for {kind}; declare a matrix or a column under \"constants\" or \
                  \"varies with time\", as in \"M\": \"4x1 matrix\"",
                 numbers.join(" and ")

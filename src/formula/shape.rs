@@ -98,7 +98,11 @@ pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Re
     let span = a.0.span.to(b.0.span);
     if of_sum(a.1.shape, b.1.shape).is_none() && !symbols.is_abstract() {
         let message = format!("the left side is {}, and the right side is {}", a.1.shape.noun(), b.1.shape.noun());
-        return Err(Fault::shape(span, message));
+        let fault = Fault::shape(span, message);
+        return Err(match as_the_other_side(a.1.shape, b.1.shape) {
+            Some(help) => fault.help(help),
+            None => fault,
+        });
     }
     let lacks = |one: &Type, other: &Type| one.free.iter().any(|letter| !other.free.contains(letter));
     let strangers = lacks(a.1, b.1) && lacks(b.1, a.1);
@@ -108,6 +112,25 @@ pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Re
         return Err(Fault::index(span, message).help("write the same free indices on both sides"));
     }
     Ok(())
+}
+
+/// How to write one side of an equation so that it has the shape of the other side.
+fn as_the_other_side(left: Shape, right: Shape) -> Option<String> {
+    let (side, wanted) = match (left, right) {
+        (Shape::Scalar, _) | (Shape::Vector, Shape::Matrix(..)) => ("left", right),
+        _ => ("right", left),
+    };
+    match (left, right, wanted) {
+        (Shape::Matrix(..), Shape::Matrix(..), _) => Some("write matrices of one size on both sides".to_owned()),
+        (_, _, Shape::Vector) => {
+            Some(format!("if the {side} side is a vector too, mark its name with \\vec or \\mathbf"))
+        }
+        (_, _, Shape::Matrix(rows @ 1.., columns)) => Some(format!(
+            "if the {side} side is a matrix too, declare its name in a claims file, as in \"M\": \
+             \"{rows}x{columns} matrix\""
+        )),
+        _ => None,
+    }
 }
 
 /// The entries of a matrix that is compared with a formula of two free component indices, as in `R_{ab} = (…)`. The

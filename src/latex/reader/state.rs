@@ -116,7 +116,7 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
         }
         "\\overset" | "\\underset" | "\\stackrel" => Fault::new(span, format!("{name} is not supported here"))
             .code(Code::UnknownCommand)
-            .help("write the relation or symbol without what stands above or below it"),
+            .help("write a dot as \\dot{x}; leave out anything else above or below a symbol or relation"),
         "\\cup" => Fault::unsupported(span, "\\cup joins families of symbols, and is supported under \"where\" only")
             .help("say under \"where\" what the name of the family means in this equation"),
         _ => {
@@ -217,6 +217,7 @@ pub(super) fn unread(item: &Item, has_claims: bool) -> Fault {
                 None if matches!(c, '=' | '<' | '>') => {
                     fault.help("write a relation outside of all braces, parentheses and commands")
                 }
+                None if *c == ':' => fault.help("write labels and words outside of the formula"),
                 None => fault,
             }
         }
