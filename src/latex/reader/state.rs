@@ -122,7 +122,10 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
         _ => {
             Fault::new(span, format!("the command {name} is unknown")).code(Code::UnknownCommand).help(match has_claims
             {
-                true => "correct it or leave it out; if it is your own macro, define it under \"macros\" in the claims file",
+                true => {
+                    "correct it or leave it out; if it is your own macro, define it under \"macros\" in the claims \
+                     file"
+                }
                 false => {
                     "correct it or leave it out; if it is your own macro, define it with \\newcommand, or under \
                      \"macros\" in a claims file"
