@@ -39,7 +39,7 @@ macro_rules! codes {
 codes! {
     /// The formula can be read in more than one way.
     ///
-    /// onshell does not guess. For example, `\cos\theta p_\psi` may be cos(θ)·p_ψ or cos(θ·p_ψ).
+    /// For example, `\cos\theta p_\psi` may be cos(θ)·p_ψ or cos(θ·p_ψ).
     /// Write parentheses or a thin space, `\cos\theta\,p_\psi`, so that one reading is left.
     Ambiguous = "ambiguous",
     /// A name is used that nothing declares or defines.
@@ -74,16 +74,17 @@ codes! {
     ///
     /// For example, `E = m v` with E declared as an energy. Correct the term, or the declaration under `units`.
     UnitMismatch = "unit-mismatch",
-    /// The dimensions in this display contradict those that all other displays agree on, and one exponent would repair them.
+    /// The dimensions in this display do not fit those of all other displays, and they would fit with one other
+    /// exponent.
     ///
-    /// For example, `E^2 = p^2c^2 + m^2c^2` beside `E = \gamma m c^2` and `p = \gamma m v`: c would be a pure number. Notes
-    /// without a claims file only.
+    /// For example, `E^2 = p^2c^2 + m^2c^2` beside `E = \gamma m c^2` and `p = \gamma m v`: c would be a pure number.
+    /// Correct the exponent that the suggestion shows. This code is given only in notes without a claims file.
     DimensionsConflict = "dimensions-conflict",
-    /// A definition, or a relation that was taken for granted, is contradicted by several displays that use it, and one edit of it
-    /// repairs them: in notes without a claims file, and of the Lagrangian that notes print. With a claims file a definition is
-    /// contradicted if no edit of one of these displays itself corrects that one.
+    /// Several displays contradict a definition that they use, and one edit of the definition makes all of them pass.
     ///
-    /// For example, `t_1 = \frac{v}{7 a}` before `v_1 = v - a t_1 = \frac57 v` and another display that needs twice that time.
+    /// The Lagrangian can be contradicted so too, and so can a relation that notes without a claims file take for granted.
+    /// With a claims file, at least one of the displays must have no edit of its own that corrects it. For example,
+    /// `t_1 = \frac{v}{7 a}` before `v_1 = v - a t_1 = \frac57 v` and another display that needs twice that time.
     /// Correct the definition.
     DefinitionContradicted = "definition-contradicted",
     /// The text is not a unit of the SI.
@@ -131,8 +132,8 @@ codes! {
     SidesDiffer = "sides-differ",
     /// The printed result of numbers is not what the numbers give, or its unit is another one.
     ///
-    /// For example, `9.8\,\text{m/s}^2 \times 2.0\,\text{s} = 196\,\text{m/s}`. No numbers that are rounded to the printed
-    /// ones give the result. Correct the number, the power of ten or the unit that slipped.
+    /// For example, `9.8\,\text{m/s}^2 \times 2.0\,\text{s} = 196\,\text{m/s}`. No numbers that are rounded to the
+    /// printed ones give the result. Correct the number, the power of ten or the unit that slipped.
     NumbersDiffer = "numbers-differ",
     /// An inequality, or `\neq`, fails at a state that obeys all hypotheses.
     ///
@@ -141,9 +142,8 @@ codes! {
     InequalityFails = "inequality-fails",
     /// Exact arithmetic shows that the two sides differ, although floating-point numbers agree.
     ///
-    /// For example, `(1 + 10^{-16}) x = x` agrees to 16 digits. The equation is evaluated modulo a prime, where
-    /// nothing is
-    /// rounded. If the equation is an approximation, write `\approx` and name what is small in the claims file.
+    /// For example, `(1 + 10^{-16}) x = x` agrees to 16 digits. The equation is evaluated modulo a prime, where nothing
+    /// is rounded. If the equation is an approximation, write `\approx` and name what is small in the claims file.
     DiffersAsIdentity = "differs-as-identity",
     /// A claim about families holds for some numbers of members, and fails for another one, which is given.
     ///
@@ -168,27 +168,25 @@ codes! {
     NoState = "no-state",
     /// Too few sampled states gave a number on both sides.
     ///
-    /// For example, `\sqrt{1 - v^2/c^2}` has no value where v is above c. Narrow the ranges in the claims file (for example,
-    /// assume `v < c`).
+    /// For example, `\sqrt{1 - v^2/c^2}` has no value where v is above c. Narrow the ranges in the claims file (for
+    /// example, assume `v < c`).
     TooFewStates = "too-few-states",
     /// At some states the sides differ by more than rounding error and by less than a clear difference.
     ///
     /// Most such claims are decided with more digits; an integral over a body is not. For example, the factor in
     /// `= 0.4000000000001 M R^2` is 2/5 to twelve digits. Correct the number, or choose ranges in which the terms are
-    /// of
-    /// similar size.
+    /// of similar size.
     WithinRounding = "within-rounding",
     /// A term is so small beside the others that no sampled state shows it: a mistake in it would not be found.
     ///
-    /// For example, nothing else in `10^{20} + x` shows in sixteen digits. Choose ranges or constants for which the
-    /// term matters.
+    /// For example, in `10^{20} + x` the sixteen digits of a number do not show x. Choose ranges or constants for which
+    /// the term matters.
     TermTooSmall = "term-too-small",
     /// The sampled states do not distinguish the claim from the same claim with one mistake in it: a mutant.
     ///
-    /// For example, for small a the claim `\sqrt{1 + a} \approx 1 + a/3` is as good as the claim with 1 − a/3: the
-    /// difference of the sides falls at the same power of a. Correct the claim, widen the ranges, or remove a
-    /// hypothesis
-    /// that makes the two equal.
+    /// For example, for small a the claim `\sqrt{1 + a} \approx 1 + a/3` is as good as the claim with 1 − a/3: in both
+    /// the difference of the sides falls as the same power of a. Correct the claim, widen the ranges, or remove a
+    /// hypothesis that makes the claim and its mutant equal.
     MutantPasses = "mutant-passes",
     /// A side is 0 at all states, so that a wrong factor or sign in it would not be noticed.
     ///
@@ -198,7 +196,7 @@ codes! {
     /// The claim is one of its hypotheses, or says the same as them in other words.
     ///
     /// For example, `x = 2y` under the hypothesis `y = x/2`. Such a claim is not tested.
-    /// Remove the hypothesis from `assume` or `where`, or mark the equation as a law.
+    /// Remove the hypothesis from `assume` or `where`, or declare the equation under `laws`.
     RestatesHypothesis = "restates-hypothesis",
     /// The claim follows from its own hypotheses, whatever the system does.
     ///
@@ -216,14 +214,14 @@ codes! {
     ForcedValue = "forced-value",
     /// It is not clear what a name means at this place.
     ///
-    /// For example, a dot on a symbol that is declared constant, or on the point that an integral runs over.
-    /// Declare the symbol under `varies with time`, write the velocity, or use another name.
+    /// For example, a dot on a symbol that is declared constant, or on the point that an integral runs over. If the
+    /// symbol moves, declare it under `varies with time`. Under an integral, write the velocity at that point as a
+    /// formula. Otherwise use another name.
     UnclearName = "unclear-name",
     /// A formula has no value, because a symbol in it has none.
     ///
-    /// For example, `M = \rho_0 V` where V is the region of an integral: its size has no value outside of it. Declare
-    /// the symbol, define it in the notes, or say
-    /// under `means` what it is.
+    /// For example, `M = \rho_0 V` where V is the region of an integral, which is not a number. Use another name for
+    /// the number, and declare it, define it in the notes, or say under `means` what it is.
     NoValue = "no-value",
     /// The claims file itself defines the symbol by this formula, so that the display is true by definition.
     ///
@@ -231,23 +229,22 @@ codes! {
     TrueByDefinition = "true-by-definition",
     /// The display defines a name, and other equations test the definition.
     Definition = "definition",
-    /// The display is a law: a hypothesis by the word of the claims file, not checked here.
+    /// The claims file declares this display to be a law, so it is taken for granted and not checked.
     Law = "law",
     /// Nothing could be decided: there are no states, too few, or none that tell the claim from a wrong one.
     ///
     /// For example, in `x + \sqrt{x^3} \approx x` to first order in x, the error falls as the power 1.5 of x. The
-    /// message
-    /// says why nothing was decided, and what to change.
+    /// message says why nothing was decided, and what to change.
     NotDecided = "not-decided",
-    /// A display contradicts a definition, or a relation that was taken for granted, and a slip in either would explain that, in
-    /// notes without a claims file.
+    /// A display contradicts a definition or a relation that was taken for granted, and one slip in either explains it.
     ///
-    /// For example, `t_1 = \frac{v}{7 a}` and `v_1 = v - a t_1 = \frac57 v`: one of them is wrong, and no other display says
-    /// which. An edit of each is shown. Correct the one that is wrong.
+    /// This code is given only in notes without a claims file. For example, `t_1 = \frac{v}{7 a}` and
+    /// `v_1 = v - a t_1 = \frac57 v`: one of them is wrong, and no other display says which. An edit of each is shown.
+    /// Correct the one that is wrong.
     Contradiction = "contradiction",
     /// Nothing is claimed of the display.
     ///
-    /// For example, a second print has a number that the notes of the claims file lack.
+    /// For example, a second print has a number that the notes of the claims file lack. Correct the number.
     NoClaim = "no-claim",
     /// A quantity that is claimed to be constant changes along the motion.
     ///
@@ -298,12 +295,11 @@ codes! {
     ///
     /// For example, minima along θ while θ = 0 is assumed. Remove the hypothesis, or state it as an inequality.
     VariableFixed = "variable-fixed",
-    /// A formula contains a name that depends on the others, and must be a formula of independent variables.
+    /// A formula must have independent variables only, and a name in it depends on the others.
     ///
-    /// A Hamiltonian is a formula of coordinates and momenta; a function whose shape is claimed has no rates in it.
-    /// For example, `\frac12 m\dot x^2` is claimed to be positive as x runs over its range, and the rate of x is not
-    /// free.
-    /// Write the name out, or give its formula under `define`.
+    /// A Hamiltonian is a formula of coordinates and momenta; a function whose shape is claimed has no rates in it. For
+    /// example, `\frac12 m\dot x^2` is claimed to be positive as x runs over its range, and the rate of x is not free.
+    /// Write a formula without this name.
     NotIndependent = "not-independent",
     /// A sum over smaller and smaller cells does not become the integral.
     ///
@@ -325,31 +321,29 @@ codes! {
     NeedsLimitOrSmall = "needs-limit-or-small",
     /// No other equation uses a defined name, so the definition was not tested.
     ///
-    /// A definition cannot be false by itself. It is tested by the equations that use the name. A last result needs none; the report
-    /// warns of it.
-    /// Use the name in another equation, or put the definition under `define`.
+    /// A definition cannot be false by itself. It is tested by the equations that use the name. For a last result this
+    /// is only a warning. Use the name in another equation, or put the definition under `define`.
     DefinitionUnused = "definition-unused",
     /// Other equations use a defined name, and none of them passes, so the definition was not tested.
     ///
-    /// The mistake may be in the definition. Correct the equations that use the name, or the definition. Where edits of these
-    /// equations themselves correct them, this is no failure.
+    /// The mistake may be in the definition. Correct the equations that use the name, or the definition. If edits of
+    /// those equations correct them, this does not count as a failure.
     DefinitionUsersFail = "definition-users-fail",
-    /// The words before an equation say that something is sought that solves it, and nothing says what that is.
+    /// The words before an equation say that its solutions are sought, and nothing says what solves it.
     ///
-    /// For example, "the distances are the roots of" before `E - \frac12 k x^2 = 0`: it holds where x does not change, and not in
-    /// general, so the failure does not show a mistake.
-    /// State where it holds, with `where` or `assume`, or claim `secular equation for`.
+    /// For example, "the distances are the roots of" stands before `E - \frac12 k x^2 = 0`, which holds at these
+    /// distances and not in general. So it is no mistake that the equation fails elsewhere. State where it holds, with
+    /// `where` or `assume`, or claim `secular equation for`.
     EquationForUnknown = "equation-for-unknown",
     /// Other equations use a defined name, and a wrong definition would not make any of them fail.
     ///
-    /// For example, `p v = m v^2` only repeats `p = m v`: with another p it would be another definition. The message
-    /// names
-    /// the change that no equation detects.
-    /// Use the name once more, or put the definition under `define`.
+    /// For example, `p v = m v^2` only repeats the definition `p = m v`, so it does not test it. The message names the
+    /// change that no equation detects. Use the name once more, or put the definition under `define`.
     DefinitionNotTested = "definition-not-tested",
     /// A defined name is always 0 as printed.
     ///
-    /// For example, `a = x - x`. Such a definition is correct for any use, and is probably a misprint. Correct the definition.
+    /// For example, `a = x - x`. Such a definition is correct for any use, and is probably a misprint. Correct the
+    /// definition.
     DefinitionZero = "definition-zero",
     /// The display defines a name, and other equations test the definition except for its sign or its factor.
     ///
@@ -370,10 +364,10 @@ codes! {
     /// A display does not follow from the others, and is taken for granted, in notes without a claims file.
     ///
     /// For example, `F = m a` where F, m and a stand in other displays: a law, a condition or a value. It would be
-    /// called wrong if
-    /// one likely slip lay between it and an equation that is certified. A claims file can say what must be checked.
+    /// called wrong if one likely slip could turn a certified equation into it. A claims file can say what must be
+    /// checked.
     Assumed = "assumed",
-    /// An equation that is referred to does not contain what it should contain.
+    /// A sentence refers to an equation that does not contain the formula that it should contain.
     ///
     /// For example, a sentence refers to (1) for a force, and (1) contains none. Correct the number.
     WrongReference = "wrong-reference",
@@ -395,13 +389,13 @@ codes! {
     /// For example, `+ m g l \cos\theta` has the wrong sign for a pendulum. The counterexample names the rate that
     /// differs. Correct the formula.
     NotTheHamiltonian = "not-the-hamiltonian",
-    /// A claim that was said not to hold always fails at a sampled state, as stated.
+    /// The claims file says that a claim does not always hold, and a counterexample confirms this.
     ///
-    /// For example, `a - b = b - a` is said not to hold always, and a counterexample is found. This is a pass.
+    /// For example, `a - b = b - a` stands under `not always`, and it fails at a sampled state. This is a pass.
     NotAlways = "not-always",
-    /// A claim that was said not to hold always holds at every sampled state.
+    /// The claims file says that a claim does not always hold, but it holds at every sampled state.
     ///
-    /// For example, `a + b = b + a` is said not to hold always. Correct the sentence, or widen the ranges in which it
+    /// For example, `a + b = b + a` stands under `not always`. Correct the sentence, or widen the ranges in which it
     /// is tested.
     HoldsAlways = "holds-always",
     /// The claim is one of its own conditions, or repeats them, so that nothing is tested.
@@ -410,9 +404,8 @@ codes! {
     Circular = "circular",
     /// A display that is called a law can be checked, so it is not a hypothesis.
     ///
-    /// For example, `\dot p = m \ddot x` follows from the definition `p = m \dot x`. Another is a law
-    /// beside a system, which determines the motion.
-    /// Remove it from `laws`; it is then checked like any other display.
+    /// For example, `\dot p = m \ddot x` follows from the definition `p = m \dot x`. Another is a law beside a system,
+    /// which determines the motion. Remove it from `laws`; it is then checked like any other display.
     NotALaw = "not-a-law",
     /// No sampled state satisfies all laws, or the laws allow only one value of a quantity that varies.
     ///
@@ -429,8 +422,8 @@ codes! {
     LostInPrint = "lost-in-print",
     /// A step of a derivation is false only because it builds on a false step before it.
     ///
-    /// For example, the wrong sign of `m \ddot x = k x` is carried into the next step. Correct the display that the
-    /// message names.
+    /// For example, the next step repeats the wrong sign of `m \ddot x = k x`. Correct the display that the message
+    /// names.
     FollowsFromMistake = "follows-from-mistake",
     /// The claims file leaves this display out with `skip`.
     ///
@@ -438,9 +431,8 @@ codes! {
     Skipped = "skipped",
     /// The claims file that `--claims` names is not there.
     ///
-    /// For example, `onshell check notes.md --claims clams.json`. Correct the name, or leave out `--claims`: then the
-    /// notes are
-    /// checked without a claims file.
+    /// For example, `onshell check notes.md --claims clams.json`. Correct the name. Or leave out `--claims`: then the
+    /// notes are checked without a claims file.
     NoClaimsFile = "no-claims-file",
 }
 

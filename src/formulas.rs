@@ -58,7 +58,7 @@ impl Formula {
         let mut statements = Formula::read_all(latex)?.into_iter();
         match (statements.next(), statements.next()) {
             (Some(formula), None) => Ok(formula),
-            _ => Err(Error::new("this text is not one formula or equation").help("read each statement by itself")),
+            _ => Err(Error::new("this text must be one formula or one equation").help("give one statement at a time")),
         }
     }
 
@@ -165,7 +165,7 @@ impl Formula {
             Some(_) if self.has_singular_matrix() => Err(Error::new("a matrix in the formula has the determinant 0")
                 .help("such a matrix has no inverse, so the formula has no value")),
             Some(_) if self.letters().is_empty() => Err(Error::new(format!("{what} has no real value"))
-                .help("no denominator may be 0, and no root or logarithm negative")),
+                .help("check that no denominator is 0, and that no root or logarithm is of a negative number")),
             Some(entry) if entry.is_nan() => {
                 Err(Error::new(format!("{what} has no real value at this point, like the root of a negative number"))
                     .help("choose values at which every root, logarithm and quotient in it is a real number"))
@@ -251,7 +251,7 @@ impl Formula {
                     false => format!("its letters are {}", letters.join(", ")),
                 };
                 let message = match names::parse(name).is_some_and(|(name, _)| name.base == "\\pi") {
-                    true => "π has its value, and no other can be set".to_owned(),
+                    true => "the value of π is fixed and cannot be set".to_owned(),
                     false => format!("{} is not a letter of the formula", text::plain(name)),
                 };
                 return Err(Error::new(message).help(help));

@@ -46,12 +46,14 @@ pub fn declaration(name: &str, dots: u8) -> String {
     let add = format!("add {}: \"any\" under \"{role}\" in the claims file", in_json(name));
     match name {
         _ if name.contains("\\hat") => format!(
-            "for the direction of a vector, add {}: \"any\" under \"constants\" in the claims file; operators are not \
-             supported",
+            "if {name} is the direction of a vector, add {}: \"any\" under \"constants\" in the claims file; \
+             operators of quantum mechanics are not supported",
             in_json(&name.replacen("\\hat", "\\vec", 1))
         ),
         "i" | "\\mathrm{i}" => format!(
-            "for √−1, declare \"{name}\": \"imaginary unit\" among the constants; if {name} is a real number, {add}"
+            "if {name} is √−1, add {}: \"imaginary unit\" under \"constants\" in the claims file; if it is a real \
+             number, {add}",
+            in_json(name)
         ),
         _ => add,
     }
@@ -61,7 +63,8 @@ pub fn declaration(name: &str, dots: u8) -> String {
 #[cfg(feature = "notes")]
 pub fn systems<'a>(names: impl Iterator<Item = &'a str>) -> String {
     format!(
-        "the systems are {}; for another system, print its Lagrangian, L = …, in notes; no \"system\" is needed then",
+        "the systems are {}; for another one, write its Lagrangian, L = …, in the notes, and \"means\": {{ \"L\": \
+         \"Lagrangian\" }} in place of \"system\"",
         names.collect::<Vec<_>>().join(", ")
     )
 }

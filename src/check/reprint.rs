@@ -78,7 +78,7 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
     let paths: Vec<&str> = sets.iter().map(|(claims, _)| claims.source.path.as_str()).collect();
     let inferred = sets.iter().map(|(claims, reference)| {
         let (claims, own, sentences) = (&claims.source.path, &reference.source.path, claims.sentences.len());
-        format!("{claims} is about {own}; its {sentences} sentences are tested there")
+        format!("{claims} is about {own}; its {sentences} quoted sentences are checked there, not here")
     });
     Ok(Document {
         is_guessed: false,
@@ -203,8 +203,11 @@ fn judged(
     // If the claim fails on the reference too, the claim is wrong, and not the print.
     checker.parts((at, display.body.start), reading, claim, topic).or_else(|error| {
         checker.parts((at, display.body.start), &checker.readings[at], claim, topic)?;
-        let message =
-            format!("this cannot be checked as ({topic}) of {}: {}", checker.notes.source.path, error.message());
+        let message = format!(
+            "the claim for ({topic}) of {} does not fit this print: {}",
+            checker.notes.source.path,
+            error.message()
+        );
         Ok(vec![
             checker
                 .part(Finding::new(Code::ClaimDoesNotFit, Verdict::Unreadable, display.body, message), String::new()),
@@ -223,7 +226,7 @@ fn absent(reference: &Notes, print: &Notes, at: usize) -> Equation {
         None => (String::new(), Span::default()),
     };
     let number = reference.equations[at].id().unwrap_or_default();
-    let message = format!("no display{side} has the number ({number}), which is in {}", reference.source.path);
+    let message = format!("this print has no display ({number}){side}; {} has one", reference.source.path);
     let line = print.source.line_column(span.start).0;
     unjudged(print, number, line, Finding::new(Code::LostInPrint, Verdict::Unreadable, span, message))
 }

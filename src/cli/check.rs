@@ -20,7 +20,8 @@ use super::values;
 
 /// Checks the equations of notes against their claims
 ///
-/// Notes without a claims file are checked too: what follows, what is introduced, and what is wrong by a likely slip.
+/// Notes without a claims file are checked too. The report says what follows, what is taken for granted, and what one
+/// likely slip has made wrong.
 ///
 /// Exits with 0 if every equation is as expected, 1 if one is not, 2 if something could not be checked.
 #[derive(clap::Args)]
@@ -94,7 +95,7 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     if arguments.fix && told.is_empty() && errors.is_empty() {
         told.push(match result.unexpected() {
             0 => "nothing was edited: everything is as expected".to_owned(),
-            _ => "nothing was edited: no edit is suggested for what is not as expected".to_owned(),
+            _ => "nothing was edited: there is no suggestion for the equations that are not as expected".to_owned(),
         });
     }
     told.splice(0..0, warnings(arguments));
@@ -194,7 +195,7 @@ fn given(arguments: &Arguments) -> Result<(Vec<&Path>, Vec<PathBuf>)> {
     let is_claims = |path: &&Path| path.extension().is_some_and(|extension| extension == "json");
     let (more, paths): (Vec<&Path>, Vec<&Path>) = paths.partition(is_claims);
     if paths.is_empty() {
-        return Err(Error::new("--claims is given, but there are no notes to check")
+        return Err(Error::new("--claims names a claims file, and the command names no notes to check")
             .help("name the notes too: onshell check notes.md --claims claims.json"));
     }
     let mut claims = Vec::new();

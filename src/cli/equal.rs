@@ -13,7 +13,7 @@ use super::values;
 /// Tells whether two formulas are equal
 ///
 /// Letters are real numbers, and so are dotted letters. Exits with 0 if the two are equal, 1 if a counterexample shows
-/// that they are not, 2 if neither can be told.
+/// that they are not, 2 if neither was found.
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  onshell equal '\\sin 2x' '2\\sin x\\cos x'")]
 pub struct Arguments {
@@ -59,8 +59,8 @@ fn answered(arguments: &Arguments) -> Result<Comparison> {
     let mut ranges = Vec::new();
     for given in &arguments.ranges {
         let wrong = || {
-            Error::new(format!("“{given}” is not a range of a letter"))
-                .help("write --where 'x=0.1..3', the lower end first")
+            Error::new(format!("“{given}” does not give the range of a letter"))
+                .help("write the lower end first, as in --where 'x=0.1..3'")
         };
         ranges.push(range(given).ok_or_else(wrong)?);
     }

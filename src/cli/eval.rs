@@ -8,7 +8,7 @@ use crate::{Error, Formula, Result};
 use super::outcome::{Format, Outcome, Screen};
 use super::values;
 
-/// Prints the value of a formula, to 17 digits
+/// Prints the value of a formula, without digits that rounding makes uncertain
 ///
 /// Every letter needs a value, and so does every dotted letter: --set '\dot\theta=0.83'.
 #[derive(clap::Args)]

@@ -20,7 +20,9 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     let Some(word) = &arguments.word else { return Outcome::done(all(screen.out)) };
     match Topic::named(word).as_slice() {
         [] => {
-            let unknown = Error::new(format!("“{word}” is not a verdict, an outcome of a mutant, or a code"));
+            let unknown = Error::new(format!(
+                "“{word}” is neither a verdict, nor an outcome of a mutant, nor a code of a message"
+            ));
             let error = match suggest::nearest(word, Topic::all().map(Topic::word)) {
                 Some(near) => unknown.help(format!("did you mean {near}?")),
                 None => unknown.help("`onshell explain` without a word lists all that it explains"),

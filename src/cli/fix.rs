@@ -85,7 +85,7 @@ fn fix_documents(report: &Report, yes: bool, style: Style, fixed: &mut Fixed) ->
         fixed.told.extend(document.equations.iter().filter(unclear).map(|equation| {
             let why = match equation.finding.code {
                 Code::Contradiction => "two displays contradict each other, and only you know which is wrong",
-                _ => "no suggestion for it is clear enough",
+                _ => "no suggestion for this equation is clear enough",
             };
             format!("({}) was not edited: {why}; choose an edit by hand", equation.id)
         }));
@@ -190,7 +190,9 @@ fn doubt(equation: &Equation, repair: &Repair) -> Option<String> {
     }
     let others: Vec<&str> = equation.elsewhere.iter().map(String::as_str).filter(|id| *id != equation.id).collect();
     if others.len() < equation.elsewhere.len() && is_undone_on_either_side(repair.slip) {
-        return Some("no passing equation uses the name that it defines, so either side may be wrong".to_owned());
+        return Some(
+            "no passing equation uses the name that this equation defines, so either side may be wrong".to_owned(),
+        );
     }
     if !others.is_empty() {
         return Some(format!("no passing equation uses ({0}), so the mistake may be in ({0})", others.join(") or (")));
@@ -198,7 +200,7 @@ fn doubt(equation: &Equation, repair: &Repair) -> Option<String> {
     let mut wrong = equation.parts.iter().filter(|part| !part.ok).map(|part| part.finding.span);
     let is_elsewhere =
         repair.shared.is_none() && wrong.clone().next().is_some() && !wrong.any(|w| w.contains(repair.span));
-    is_elsewhere.then(|| "the edit is outside of the part that fails".to_owned())
+    is_elsewhere.then(|| "the suggested edit changes a part of the equation that does not fail".to_owned())
 }
 
 /// Whether an edit of the other side of an equation could undo this kind of mistake as well.
@@ -240,7 +242,11 @@ fn apply(document: &Document, repairs: &[&Repair]) -> Result<()> {
         let Some(file) = own.peek().map(|edit| edit.place.file) else { continue };
         let mut text = file.text.clone();
         own.for_each(|edit| text.replace_range(edit.place.span.range(), &edit.replacement));
-        let unwritable = || Error::new(format!("cannot edit {path}: its encoding lacks a character of the edit"));
+        let unwritable = || {
+            Error::new(format!(
+                "cannot edit {path}: the encoding of the file lacks a character of the edit; save the file as UTF-8"
+            ))
+        };
         let before = file.encode(&file.text).ok_or_else(unwritable)?;
         replace(Path::new(path), &before, &file.encode(&text).ok_or_else(unwritable)?)?;
     }

@@ -40,7 +40,7 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
             let made = job.and_then(|job| match job {
                 Named::Notes(notes) => write(&notes, arguments.overwrite, registry),
                 Named::Claimed(claims) => {
-                    Ok(format!("{}: this is a claims file already; it was not changed", claims.display()))
+                    Ok(format!("{}: this claims file exists already; it was not changed", claims.display()))
                 }
             });
             match made {
@@ -55,9 +55,12 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
     if let Some(path) = written.first() {
         let check = format!("onshell\u{a0}check\u{a0}{}", path.display());
         tell("");
-        tell("Next: correct what is wrong in the file. \"guesses\" says why each name is declared as it is.");
+        tell("Next: correct what is wrong in the file. Under \"guesses\" stands the reason for each declaration.");
         tell(&format!("Then run: {check}"));
-        tell("When all of it is right, remove \"guesses\". Each equation must then follow from what is declared.");
+        tell(
+            "When all declarations are right, remove \"guesses\". Each equation must then follow from what is \
+             declared.",
+        );
     }
     Outcome { output, code: if errors.is_empty() { 0 } else { 2 }, messages: shown(&errors, screen) }
 }
@@ -103,15 +106,16 @@ fn write(path: &Path, overwrite: bool, registry: &Registry) -> Result<String> {
         // Another program may have made the file in the meantime; it stays.
         let made = std::fs::OpenOptions::new().write(true).create_new(true).open(&beside);
         let failed = |error| {
-            Error::new(format!("cannot write {to}: {}", reason(&error))).help("make its folder writable, or make room")
+            Error::new(format!("cannot write {to}: {}", reason(&error)))
+                .help("make its folder writable, or free space on the disk")
         };
         made.and_then(|mut file| file.write_all(draft.text.as_bytes())).map_err(failed)?;
     }
     let names = match draft.declared {
         0 if notes.equations.is_empty() => "no display was found in the notes, so nothing was inferred".to_owned(),
         0 => "no name needs a declaration".to_owned(),
-        1 => "1 name is declared, by a guess".to_owned(),
-        n => format!("{n} names are declared, all by guesses"),
+        1 => "1 name is declared by a guess".to_owned(),
+        n => format!("{n} names are declared by guesses"),
     };
     Ok(format!("{to}: written; {names}"))
 }

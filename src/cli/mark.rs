@@ -18,7 +18,7 @@ use super::values;
 
 /// Marks hand-ins: each line against a problem, and against the lines before it
 ///
-/// The problem is a claims file; its notes are the model solution. Students need no numbers and no particular letters.
+/// The problem is a claims file; its notes are the model solution. Hand-ins need no equation numbers, and may use other letters.
 ///
 /// A line is right (✓: it follows from the problem), wrong (✗), carried (→: a right step from a wrong line), given (a name, a
 /// condition, or what the problem gives), undecided or not read (?). Missing results are listed.
@@ -140,15 +140,15 @@ fn of_the_model(model: &Marked) -> String {
     let mut text = String::new();
     for line in model.lines.iter().filter(|line| line.mark == Mark::Wrong) {
         text += &format!(
-            "warning: {path}:{}: this line of the model solution would be marked wrong in a hand-in: it {}\n  help: declare \
-             its names, or say in words under which condition it holds\n\n",
+            "warning: {path}:{}: this line of the model solution would be marked wrong in a hand-in: it {}\n  help: \
+             declare the names in the line, or say in words under which condition it holds\n\n",
             line.line, line.because
         );
     }
     for result in model.results.iter().filter(|result| result.reached == Reached::No) {
         text += &format!(
-            "warning: {path}: no hand-in can reach the result {}: no line of the model solution reaches it\n  help: print \
-             it as a formula, and take numbers out of the rubric\n\n",
+            "warning: {path}: no hand-in can reach the result {}: no line of the model solution reaches it\n  help: \
+             print the result as a formula in the model solution; if it is a number, remove it from \"results\"\n\n",
             marks::called(result)
         );
     }
@@ -164,13 +164,14 @@ fn passed_over(folder: &Path, others: &[PathBuf]) -> String {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         match () {
             () if path.is_dir() => format!("{name} is a folder"),
-            () if !path.exists() => format!("{name} leads to no file"),
+            () if !path.exists() => format!("{name} is a link to a file that does not exist"),
             () => format!("{name} is not .md, .tex or .txt"),
         }
     };
     let all: Vec<String> = others.iter().map(why).collect();
     format!(
-        "warning: {}: not marked: {}\n  help: name a folder inside as an argument of its own; save other files as .md, .tex or .txt\n\n",
+        "warning: {}: not marked: {}\n  help: to mark a folder inside this one, name it on the command line too; save \
+         other files as .md, .tex or .txt\n\n",
         folder.display(),
         all.join("; ")
     )

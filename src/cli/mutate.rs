@@ -103,7 +103,7 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
                     .help(format!("{known}; only displays with a number or a label are mutated")),
                 (None, _) => Error::new("there is no equation to mutate").help(known),
             },
-            all => Error::new(format!("no equation can be mutated: {} left out", counted(all.len())))
+            all => Error::new(format!("no equation can be mutated, because {} left out", counted(all.len())))
                 .help("only an equation that passes is mutated; `onshell check` shows what is wrong with the others"),
         });
     }

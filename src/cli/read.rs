@@ -65,7 +65,7 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
         ("vectors or matrices, because of their markup", vectors),
         ("matrices, because of their use", matrices),
         ("complex numbers", complex),
-        ("names without a value, read as printed", abstract_names),
+        ("names that have no value here", abstract_names),
     ] {
         if !names.is_empty() {
             inferred.push(format!("{what}: {}", names.join(", ")));

@@ -22,10 +22,10 @@ impl Algebra {
         for block in blocks(matrix) {
             if block.len() > ROWS {
                 return Err(Error::new(format!(
-                    "the equations couple {} coordinates; a solution is typeset for at most {ROWS}",
+                    "the equations couple {} coordinates, and they are solved as formulas for at most {ROWS}",
                     block.len()
                 ))
-                .help("ask for the equations of motion or the mass matrix, which are not solved"));
+                .help("ask for the equations of motion or the mass matrix; these need no solution"));
             }
             let inner: Vec<Vec<Fraction>> =
                 block.iter().map(|&i| block.iter().map(|&j| matrix[i][j].clone()).collect()).collect();
@@ -33,7 +33,7 @@ impl Algebra {
             let determinant = self.presented(&determinant)?;
             if determinant.top.is_zero() {
                 return Err(Error::new(
-                    "the mass matrix is singular, so accelerations and velocities cannot be solved for",
+                    "the mass matrix is singular, so no formula gives the accelerations and velocities",
                 )
                 .help("check that L depends on every velocity"));
             }

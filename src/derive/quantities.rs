@@ -242,7 +242,10 @@ impl<'a> Work<'a> {
             return Err(Error::new(
                 "the Lagrangian is not quadratic in the velocities, so its Hamiltonian cannot be typeset",
             )
-            .help("ask for the energy; H is typeset where p = M q̇ + b, with M and b independent of the velocities"));
+            .help(
+                "use --as energy instead; H is printed only if p = M q̇ + b with M and b independent of the \
+                 velocities",
+            ));
         }
         let at_rest = self.normal(&self.of.recorded.at_rest.momenta)?;
         let mut momenta = Vec::new();

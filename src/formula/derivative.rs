@@ -140,7 +140,7 @@ struct Differentiator<'a> {
 impl Differentiator<'_> {
     fn of(&self, expr: &Expr, depth: usize) -> Derived {
         if depth > DEEPEST {
-            return Err(NoDerivative::Operation("a definition by itself"));
+            return Err(NoDerivative::Operation("a name whose definition contains this name"));
         }
         let again = |inner: &Expr| self.of(inner, depth);
         Ok(match &expr.node {
@@ -290,7 +290,7 @@ impl Differentiator<'_> {
         match self.how {
             How::Rate if is_time => Ok(self.number(1)),
             How::Rate if is_constant => Ok(self.zero_like(&symbol(0))),
-            How::Rate => Ok(symbol(dots.checked_add(1).ok_or(NoDerivative::Operation("so many dots"))?)),
+            How::Rate => Ok(symbol(dots.checked_add(1).ok_or(NoDerivative::Operation("a symbol with so many dots"))?)),
             How::Partial(_) if entry.derived && !is_fixed => Err(NoDerivative::Unknown(id)),
             // A family by one of its members, through an index letter.
             How::Partial(by) if by.id == id && indices.iter().any(|index| matches!(index, Index::Letter(_))) => {
@@ -305,7 +305,7 @@ impl Differentiator<'_> {
         let Some(value) = any_function::value_of(expr, self.symbols) else { return Ok(self.zero_like(expr)) };
         // One order more would be the same at all places, or 0.
         if value.orders.iter().sum::<u32>() + 2 > value.function.degree {
-            return Err(NoDerivative::Operation("so high an order of a function without a formula"));
+            return Err(NoDerivative::Operation("so high a derivative of a function without a formula"));
         }
         let mut terms = Vec::new();
         for (at, argument) in value.arguments.iter().enumerate() {
@@ -419,7 +419,8 @@ impl Differentiator<'_> {
     }
 
     fn shape(&self, expr: &Expr) -> Result<Shape, NoDerivative> {
-        shape_of(expr, self.symbols).map_err(|_| NoDerivative::Operation("a formula without a clear shape"))
+        shape_of(expr, self.symbols)
+            .map_err(|_| NoDerivative::Operation("a formula that is not clearly a number, a vector or a matrix"))
     }
 
     fn node(&self, node: Node) -> Expr {

@@ -168,7 +168,9 @@ impl<D: Differentiable> Evaluator<'_, D> {
             Node::Component(inner, index) => {
                 let at = usize::from(self.index(*index)?).wrapping_sub(1);
                 let vector = self.vector(inner)?;
-                Value::Scalar(*vector.get(at).ok_or(Unavailable::Operation("such a component"))?)
+                Value::Scalar(
+                    *vector.get(at).ok_or(Unavailable::Operation("a component other than 1, 2 or 3 of a vector"))?,
+                )
             }
             Node::SumOver { index, except, within, body, .. } => {
                 return self.sum_over(*index, except, *within, body);
@@ -202,7 +204,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
         for factor in others {
             let Ok(product) = &mut total else { break };
             if !product.multiply(self.value(factor)?) {
-                return Err(Unavailable::Operation("a product of these shapes"));
+                return Err(Unavailable::Operation("a product of vectors or matrices whose sizes do not fit"));
             }
         }
         total
@@ -257,7 +259,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
     fn vector(&mut self, expr: &Expr) -> Evaluated<Vector3<D>> {
         match self.value(expr)? {
             Value::Vector(value) => Ok(value),
-            _ => Err(Unavailable::Operation("a vector where a number is needed")),
+            _ => Err(Unavailable::Operation("a number or a matrix where a vector is needed")),
         }
     }
 
@@ -361,7 +363,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
                     let power = matrices::power(&m, n.numerator as u32);
                     return power.map(Value::Matrix).ok_or(Unavailable::Operation("this power of a matrix"));
                 }
-                _ => return Err(Unavailable::Operation("this power")),
+                _ => return Err(Unavailable::Operation("this power of a vector, a matrix or a complex number")),
             },
         };
         Ok(Value::Scalar(match constant {
@@ -414,7 +416,10 @@ fn kept(letters: &[(IndexId, u8)], except: &[Excluded], upper: u8) -> Evaluated<
 }
 
 fn added<D: Number>(total: &mut Value<D>, value: &Value<D>, sign: Sign) -> Evaluated<()> {
-    total.add(value, sign).then_some(()).ok_or(Unavailable::Operation("a sum of different shapes"))
+    total
+        .add(value, sign)
+        .then_some(())
+        .ok_or(Unavailable::Operation("a sum of numbers and vectors, or of matrices of different sizes"))
 }
 
 fn constant<D: Number>(value: f64) -> D {

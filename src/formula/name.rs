@@ -86,7 +86,7 @@ impl Kind {
         match self {
             Kind::Scalar => "a real number".to_owned(),
             Kind::Complex => "a complex number".to_owned(),
-            Kind::Abstract => "something without a value".to_owned(),
+            Kind::Abstract => "a quantity that cannot be evaluated".to_owned(),
             Kind::Vector => "a vector in space".to_owned(),
             Kind::Matrix(0, 0) => "a square matrix".to_owned(),
             Kind::Matrix(rows, columns) => format!("a {rows}×{columns} matrix"),

@@ -28,7 +28,9 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 let (a, b) = (self.value(a)?, self.value(b)?);
                 let (mut first, mut second) = (a.clone(), b.clone());
                 let known = first.multiply(b) && second.multiply(a) && first.add(&second, Sign::Minus);
-                known.then_some(first).ok_or(Unavailable::Operation("a commutator of these shapes"))
+                known
+                    .then_some(first)
+                    .ok_or(Unavailable::Operation("a commutator of anything but two square matrices of one size"))
             }
             Node::Complex(part, inner) => {
                 let number = match self.value(inner)? {
@@ -66,7 +68,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
             (Value::Scalar(divisor), above) => above.map(|x| x / divisor),
             (Value::Complex(divisor), Value::Scalar(above)) => Value::Complex(Complex::real(above).over(divisor)),
             (Value::Complex(divisor), Value::Complex(above)) => Value::Complex(above.over(divisor)),
-            _ => return Err(Unavailable::Operation("a quotient of these shapes")),
+            _ => return Err(Unavailable::Operation("this quotient of vectors, matrices or complex numbers")),
         })
     }
 
@@ -156,7 +158,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
 /// notes that an order was asked for.
 fn compare<D: Differentiable>(difference: D, relation: Relation) -> Evaluated<bool> {
     if difference.re().is_nan() {
-        return Err(Unavailable::Operation("a comparison of numbers without a value"));
+        return Err(Unavailable::Operation("a comparison in which one side has no value"));
     }
     Ok(match relation {
         Relation::Less => difference.is_negative(),

@@ -25,9 +25,17 @@ impl Binder<'_> {
             (Kind::Abstract, ..) => Shape::Abstract,
             (Kind::Matrix(rows, columns), slots, given) if slots == given => of_size(rows.into(), columns.into()),
             (Kind::Rotation, ..) => {
-                return Err(Fault::new(span, format!("{} needs its angle in parentheses", entry.name)));
+                return Err(Fault::new(
+                    span,
+                    format!("{0} is a rotation, and needs its angle in parentheses, as in {0}(\\theta)", entry.name),
+                ));
             }
-            _ => return Err(Fault::index(span, format!("{} needs its indices", entry.name))),
+            _ => {
+                return Err(Fault::index(
+                    span,
+                    format!("{} has fewer or more indices here than where it is declared or defined", entry.name),
+                ));
+            }
         };
         Ok(shape)
     }
@@ -51,7 +59,8 @@ impl Binder<'_> {
                     return Err(Fault::index(
                         term.expr.span,
                         "this term has other free indices than the terms before it",
-                    ));
+                    )
+                    .help("write the same free indices in each term"));
                 }
                 Some(known) => {
                     let shape = of_sum(known.shape, found.shape).unwrap_or(known.shape);
@@ -81,11 +90,17 @@ impl Binder<'_> {
             });
         }
         let (are, kind) = if numbers.len() == 1 { ("is", "a number") } else { ("are", "numbers") };
-        match numbers.is_empty() {
-            true => fault.help("write the same shape in each term"),
-            false => fault.help(format!(
-                "here {} {are} taken for {kind}; declare what is a matrix or a column under \"constants\" or \
-                 \"varies with time\", such as \"4x1 matrix\"",
+        let has_vector = terms.iter().any(|(_, shape)| *shape == Shape::Vector);
+        match (numbers.is_empty(), has_vector) {
+            (true, _) => fault.help("write terms that are all numbers, all vectors, or all matrices of one size"),
+            (false, true) => fault.help(format!(
+                "{} {are} taken for {kind}; mark a vector with \\vec or \\mathbf, and declare a matrix, as in \
+                 \"M\": \"4x1 matrix\" under \"constants\"",
+                numbers.join(" and ")
+            )),
+            (false, false) => fault.help(format!(
+                "{} {are} taken for {kind}; declare a matrix or a column under \"constants\" or \
+                 \"varies with time\", as in \"M\": \"4x1 matrix\"",
                 numbers.join(" and ")
             )),
         }
@@ -113,7 +128,7 @@ impl Binder<'_> {
                     (Shape::Matrix(1, a), Shape::Matrix(1, b)) if a == b => Fault::shape(factor.span, message)
                         .help("for their scalar product write the second as a column: \\begin{pmatrix} a \\\\ b \\end{pmatrix}"),
                     _ => Fault::shape(factor.span, message)
-                        .help("the columns of the first must be as many as the rows of the second"),
+                        .help("the first must have as many columns as the second has rows"),
                 }
             })?;
             letters.extend(found.free);
@@ -131,9 +146,9 @@ impl Binder<'_> {
 
     /// The type of an integral over one letter.
     pub(super) fn definite(&mut self, of: &mut Definite) -> Result<Type, Fault> {
-        let mut free = self.scalar(&mut of.integrand, "an integral over one letter")?;
+        let mut free = self.scalar(&mut of.integrand, "an integrand")?;
         for end in of.lower.iter_mut().chain(&mut of.upper) {
-            free = union(&free, &self.scalar(end, "an end of an integral")?);
+            free = union(&free, &self.scalar(end, "a limit of an integral")?);
         }
         Ok(Type { shape: Shape::Scalar, free })
     }
@@ -190,7 +205,7 @@ impl Binder<'_> {
         for row in rows {
             if row.len() != columns {
                 return Err(Fault::shape(span, "the rows of this matrix have different lengths")
-                    .help("write as many entries in each row"));
+                    .help("write the same number of entries in each row"));
             }
             for entry in row {
                 free = union(&free, &self.scalar(entry, "an entry of a matrix")?);
@@ -223,7 +238,7 @@ impl Binder<'_> {
                         let fault = Fault::shape(span, format!("{} cannot have this power", found.shape.noun()));
                         return Err(match found.shape {
                             Shape::Matrix(rows, columns) if rows == columns => {
-                                fault.help("a square matrix can have a whole number from 1 to 64 as its power, or -1")
+                                fault.help("the exponent of a square matrix must be a whole number from 1 to 64, or -1")
                             }
                             Shape::Matrix(..) => fault.help("only a square matrix has powers"),
                             _ => fault.help("write the power of a component, or the square of its norm"),
@@ -235,7 +250,7 @@ impl Binder<'_> {
                         span,
                         "v_a^2 may be the square of one component or the sum of all squares, v_a v_a",
                     )
-                    .help("write the sum, \\sum_a, or both factors"));
+                    .help("for the sum, write \\sum_a v_a^2 or v_a v_a"));
                 }
                 Ok(Type { free: union(&found.free, &labels), ..found })
             }
@@ -260,7 +275,8 @@ impl Binder<'_> {
                     Shape::Matrix(rows, columns) if rows == columns => Ok(Type { shape: Shape::Scalar, ..found }),
                     other => {
                         let message = format!("{} has no {}", other.noun(), function.word());
-                        Err(Fault::shape(span, message).help("it needs a square matrix, declared or written out"))
+                        Err(Fault::shape(span, message)
+                            .help("only a square matrix has one; declare the matrix, or write it out"))
                     }
                 }
             }
@@ -270,7 +286,7 @@ impl Binder<'_> {
                     (Shape::Matrix(n, m), Shape::Matrix(k, l)) if n == m && k == l && (n == k || n * k == 0) => {
                         Ok(Type { shape: Shape::Matrix(n.max(k), n.max(k)), free: union(&left.free, &right.free) })
                     }
-                    _ => Err(Fault::shape(span, "the commutator needs two square matrices of one size")),
+                    _ => Err(Fault::shape(span, "a commutator needs two square matrices of the same size")),
                 }
             }
             Node::Complex(part, a) => {
@@ -279,7 +295,7 @@ impl Binder<'_> {
                 Ok(Type { shape, ..found })
             }
             Node::Cases(branches) => self.cases(branches, span),
-            _ => Err(Fault::new(span, "this has no shape")),
+            _ => Err(Fault::new(span, "this formula is not a number, a vector or a matrix")),
         }
     }
 
@@ -303,18 +319,22 @@ impl Binder<'_> {
         for branch in branches {
             let found = self.bind(&mut branch.value)?;
             for member in branch.conditions.iter_mut().flat_map(|condition| &mut condition.members) {
-                self.scalar(member, "what a condition compares")?;
+                self.scalar(member, "each side of a condition")?;
             }
             all = Some(match all {
                 None => found,
                 Some(known) => {
-                    let shape = of_sum(known.shape, found.shape)
-                        .ok_or_else(|| Fault::shape(branch.value.span, "the cases have different shapes"))?;
+                    let shape = of_sum(known.shape, found.shape).ok_or_else(|| {
+                        Fault::shape(
+                            branch.value.span,
+                            "the cases must be all numbers, all vectors, or all matrices of the same size",
+                        )
+                    })?;
                     Type { shape, free: union(&known.free, &found.free) }
                 }
             });
         }
-        all.ok_or_else(|| Fault::new(span, "there are no cases"))
+        all.ok_or_else(|| Fault::new(span, "this definition by cases has no rows"))
     }
 }
 

@@ -45,7 +45,7 @@ impl Shape {
     pub(super) fn noun(self) -> String {
         match self {
             Shape::Complex => "a complex number".to_owned(),
-            Shape::Abstract => "something without a value".to_owned(),
+            Shape::Abstract => "a quantity that cannot be evaluated".to_owned(),
             Shape::Matrix(0, 0) => "a matrix".to_owned(),
             Shape::Scalar => "a scalar".to_owned(),
             Shape::Vector => "a vector".to_owned(),
@@ -98,7 +98,11 @@ pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Re
     let span = a.0.span.to(b.0.span);
     if of_sum(a.1.shape, b.1.shape).is_none() && !symbols.is_abstract() {
         let message = format!("the left side is {}, and the right side is {}", a.1.shape.noun(), b.1.shape.noun());
-        return Err(Fault::shape(span, message));
+        let fault = Fault::shape(span, message);
+        return Err(match as_the_other_side(a.1.shape, b.1.shape) {
+            Some(help) => fault.help(help),
+            None => fault,
+        });
     }
     let lacks = |one: &Type, other: &Type| one.free.iter().any(|letter| !other.free.contains(letter));
     let strangers = lacks(a.1, b.1) && lacks(b.1, a.1);
@@ -108,6 +112,25 @@ pub fn comparable(a: (&Expr, &Type), b: (&Expr, &Type), symbols: &Symbols) -> Re
         return Err(Fault::index(span, message).help("write the same free indices on both sides"));
     }
     Ok(())
+}
+
+/// How to write one side of an equation so that it has the shape of the other side.
+fn as_the_other_side(left: Shape, right: Shape) -> Option<String> {
+    let (side, wanted) = match (left, right) {
+        (Shape::Scalar, _) | (Shape::Vector, Shape::Matrix(..)) => ("left", right),
+        _ => ("right", left),
+    };
+    match (left, right, wanted) {
+        (Shape::Matrix(..), Shape::Matrix(..), _) => Some("write matrices of one size on both sides".to_owned()),
+        (_, _, Shape::Vector) => {
+            Some(format!("if the {side} side is a vector too, mark its name with \\vec or \\mathbf"))
+        }
+        (_, _, Shape::Matrix(rows @ 1.., columns)) => Some(format!(
+            "if the {side} side is a matrix too, declare its name in a claims file, as in \"M\": \
+             \"{rows}x{columns} matrix\""
+        )),
+        _ => None,
+    }
 }
 
 /// The entries of a matrix that is compared with a formula of two free component indices, as in `R_{ab} = (…)`. The
@@ -176,7 +199,7 @@ impl Binder<'_> {
             });
         }
         if found.free.iter().any(|letter| !self.is_label(*letter)) {
-            return Err(Fault::index(span, format!("{what} has a free index")));
+            return Err(Fault::index(span, format!("{what} cannot have a free index")));
         }
         Ok(found.free)
     }
@@ -234,13 +257,13 @@ impl Binder<'_> {
             | Node::Commutator(..)
             | Node::Complex(..)
             | Node::Cases(_) => self.operator(expr),
-            Node::Root(_, a) => self.scalar(a, "what is under a root").map(|free| Type { free, ..scalar }),
+            Node::Root(_, a) => self.scalar(a, "the formula under a root").map(|free| Type { free, ..scalar }),
             Node::Call(function, a) => self.call(*function, a, span),
             Node::Apply(id, arguments) if self.symbols.entry(*id).operator.is_some() => self.applied(*id, arguments),
             Node::Apply(_, arguments) => {
                 let mut free = Vec::new();
                 for argument in arguments {
-                    free = union(&free, &self.scalar(argument, "an argument")?);
+                    free = union(&free, &self.scalar(argument, "the angle of a rotation")?);
                 }
                 Ok(Type { shape: Shape::Matrix(3, 3), free })
             }
@@ -276,7 +299,7 @@ impl Binder<'_> {
                 let indices = [*row, *column];
                 let found = self.bind(a)?;
                 if !matches!(found.shape, Shape::Matrix(..)) {
-                    return Err(Fault::shape(span, "two indices need a matrix"));
+                    return Err(Fault::shape(span, "only a matrix can have two indices"));
                 }
                 let letters = self.letters(&indices);
                 let free = self.contract(letters, expr)?;
@@ -286,7 +309,8 @@ impl Binder<'_> {
             Node::SumOver { index, implied: true, body, .. } => self.summed_over(*index, body),
             Node::SumOver { index, body, except, .. } => {
                 if self.summed.contains(index) {
-                    return Err(Fault::index(span, "this index is already summed over")
+                    let letter = &self.symbols.indices[index.0].letter;
+                    return Err(Fault::index(span, format!("the index {letter} is already summed over"))
                         .help("use another index in the inner sum"));
                 }
                 // What bounds the sum is as free as what stands in it.
@@ -334,7 +358,7 @@ impl Binder<'_> {
     fn thrice(&self, index: IndexId, span: Span) -> Fault {
         let letter = &self.symbols.indices[index.0].letter;
         Fault::index(span, format!("the index {letter} occurs more than twice in this term"))
-            .help(format!("if it is summed over, write \\sum_{letter}"))
+            .help(format!("if this index is summed over, write \\sum_{letter}"))
     }
 }
 

@@ -251,9 +251,9 @@ impl Unknown {
                 let Node::Sum(terms) = &source.0.node else { return Err(self.undeclared(symbols)) };
                 if terms.len() != names.len() {
                     let span = names[0].1.to(names[names.len() - 1].1);
-                    let message = format!("this gives {} names to a sum of {} terms", names.len(), terms.len());
+                    let message = format!("{} names stand for a sum of {} terms", names.len(), terms.len());
                     return Err(
-                        Fault::new(span, message).help("give each term of the sum before it one name, in order")
+                        Fault::new(span, message).help("write one name for each term of the sum, in the same order")
                     );
                 }
                 let (mut members, mut news) = (Vec::new(), Vec::new());
@@ -346,7 +346,10 @@ fn one(
     let Some((kind, shape)) = kind else {
         return Err(match left == right {
             true => undeclared(&name, span, symbols),
-            false => Fault::index(span, format!("{name} is not declared, and its definition has other indices")),
+            false => Fault::index(
+                span,
+                format!("{name} is not declared, and its definition has other free indices than {name}"),
+            ),
         });
     };
     let formula = match of_source.shape {

@@ -70,7 +70,7 @@ pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
     }
     symbols.inferred.has_factor_d = factors_d.is_factor && !factors_d.has_integral;
     if symbols.inferred.has_factor_d {
-        symbols.inferred.said.push("d is a factor".to_owned());
+        symbols.inferred.said.push("d is a factor, not a differential".to_owned());
     }
     let Inferred { said, .. } = &mut symbols.inferred;
     if differentials.are_sure(if is_abstract { 1 } else { 2 }) {

@@ -75,7 +75,8 @@ fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
     if symbols.guessed
         && let Some((span, name)) = evidence::taken_for_a_number(&items, symbols)
     {
-        let what = format!("{name} may be a matrix: it multiplies the same letter as the other side does");
+        let what =
+            format!("{name} may be a matrix, because the same letter follows {name} and stands on the other side");
         let help = format!("declare it in the claims file, \"{name}\": \"3x3 matrix\", or as a number");
         reading.statements.push(Err(Fault::ambiguous(span, what).help(help)));
         return reading;

@@ -72,7 +72,7 @@ impl Lecture {
     pub fn new(system: &System, derivation: &Derivation, seed: u64) -> Result<Lecture> {
         if let Some(&multiplier) = system.multipliers().first() {
             let name = crate::formula::text::plain(&system.coordinates()[multiplier]);
-            let message = format!("{name} is a Lagrange multiplier, whose steps are not supported");
+            let message = format!("{name} is a Lagrange multiplier, which a derivation in steps does not support");
             return Err(Error::new(message).help("leave out --steps, or write the Lagrangian without the constraint"));
         }
         let sample = Sample::draw(system, seed)?;
@@ -109,7 +109,7 @@ fn checked(notes: &str, claims: &str, seed: u64) -> Result<Document> {
     let notes = Notes::parse(Arc::new(Source::new(NOTES, notes)), Kind::Markdown)?;
     let options = Options { seed, points: 24, explain: false, ..Options::default() };
     check_document(&claims, &notes, &Registry::empty(), options, None)
-        .map_err(|error| Error::new(format!("the lecture cannot be checked: {}", error.message())))
+        .map_err(|error| Error::new(format!("the derivation in steps cannot be checked: {}", error.message())))
 }
 
 #[cfg(test)]

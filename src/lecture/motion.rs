@@ -55,8 +55,8 @@ pub(super) fn write(writer: &mut Writer<'_>) -> Result<()> {
                 let beside = writer.latex(beside);
                 writer.claim("forces", &derivation_name(writer, i), json!(beside));
                 writer.say(format!(
-                    "Beside ${lagrangian}$ there acts the force ${beside}$ along ${name}$, which is given. The first is the sum of \
-                     the other two. With the accelerations on the left, this is"
+                    "The force ${beside}$ along ${name}$ is given beside ${lagrangian}$. The rate of the momentum is \
+                     the sum of this derivative and this force. With the accelerations on the left, this is"
                 ));
             }
         }
@@ -69,11 +69,11 @@ pub(super) fn write(writer: &mut Writer<'_>) -> Result<()> {
     let value = derivation.equations(Quantity::Energy)?.remove(0).right;
     let latex = writer.latex(&value);
     writer.claim("means", &energy, json!("energy"));
-    writer.say("Momenta times rates, minus the Lagrangian, is the energy.");
+    writer.say("The energy is the sum of momenta times rates, minus the Lagrangian.");
     let sum = names.join(" + ");
     let number = writer.line(&format!("{energy} = {sum} - {lagrangian} = {latex}"), &[&from], &[&value]);
     if applied.iter().any(Option::is_some) {
-        writer.say("The forces beside it change the energy.");
+        writer.say("The given forces change the energy.");
     } else if writer.system.depends_on_time() {
         writer.say(format!("${lagrangian}$ depends on the time, so the energy is not conserved."));
     } else {

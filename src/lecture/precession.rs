@@ -27,7 +27,8 @@ pub(super) fn write(writer: &mut Writer<'_>) -> Result<()> {
             1 => "the value of the conserved momentum",
             _ => "the values of the conserved momenta",
         };
-        let given = format!("With {which} {} given, the energy at rest in what still moves is", momenta.join(" and "));
+        let momenta = momenta.join(" and ");
+        let given = format!("With {which} {momenta} fixed and the other coordinates at rest, the energy is");
         writer.say(given);
         let from = writer.lagrangian.clone();
         writer.line(&format!("U_{{eff}} = {}", writer.latex(&potential)), &[&from], &[&potential]);

@@ -29,7 +29,7 @@ pub fn text(lecture: &Lecture, width: usize) -> String {
     let all = lecture.document.equations.len();
     out.push_str(&format!("{all} lines: {granted} taken for granted, {certified} certified"));
     let rest = all - granted - certified;
-    out.push_str(&if rest > 0 { format!(", {rest} otherwise\n") } else { "\n".to_owned() });
+    out.push_str(&if rest > 0 { format!(", {rest} with another verdict\n") } else { "\n".to_owned() });
     out.trim_start().to_owned()
 }
 

@@ -69,7 +69,9 @@ const MOST_BY_CRAMER: usize = 4;
 fn cramer<D: Number>(what: &str, matrix: &DMatrix<D>, right: &[D]) -> Result<Vec<D>> {
     let n = right.len();
     if n > MOST_BY_CRAMER {
-        return Err(Error::new(format!("a {what} of {n} rows, of which at most {MOST_BY_CRAMER} are solved exactly")));
+        return Err(Error::new(format!(
+            "the {what} has {n} rows, and exact arithmetic solves at most {MOST_BY_CRAMER}"
+        )));
     }
     let determinant = determinant(matrix);
     let with_column = |j: usize| DMatrix::from_fn(n, n, |i, k| if k == j { right[i] } else { matrix[(i, k)] });
@@ -139,14 +141,15 @@ fn refused(what: &str, condition: f64) -> Error {
         format!("the {what} is not finite at this state")
     } else if condition.is_finite() {
         format!(
-            "the {what} is too ill-conditioned to be inverted (condition number {condition:.1e}, at most {MAX_CONDITION:.0e})"
+            "the {what} is nearly singular at this state: its condition number is {condition:.1e}, and at most \
+             {MAX_CONDITION:.0e} is allowed"
         )
     } else {
         format!("the {what} is singular (condition number ∞), so the accelerations have no value at this state")
     };
     let error = Error::new(message).help(
-        "check that L depends on every velocity; \
-         if only the coordinates are singular here, as Euler angles are where sin θ = 0, choose other states",
+        "check that L depends on every velocity; if only the coordinates are singular here, as Euler angles are where \
+         sin θ = 0, keep this place out of the ranges, or choose other values",
     );
     // L may have no value here, as that of a particle faster than light.
     if is_outside { error.with_code(Code::NoState) } else { error }

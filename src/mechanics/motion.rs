@@ -72,7 +72,7 @@ pub(super) fn complete<D: Number>(
     if order >= TERMS {
         let most = TERMS - 1;
         return Err(Error::new(format!("time derivatives of order {order} are not supported"))
-            .help(format!("ask for an order of at most {most}")));
+            .help(format!("use time derivatives up to order {most}")));
     }
     let mut derivatives: Vec<Vec<D>> = up_to(q.len().min(v.len()), &mut |i| vec![q[i], v[i]]);
     for known in 2..=order {

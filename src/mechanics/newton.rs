@@ -16,7 +16,7 @@ pub(super) fn invert<D: Number>(
     const STEPS: usize = 60;
     let nothing = || {
         Error::new("the Legendre transform found no solution: Newton's method did not converge")
-            .help("choose momenta that ∂L/∂q̇ can take, and coordinates where the mass matrix is invertible")
+            .help("choose momenta that are values of ∂L/∂q̇, and coordinates where the mass matrix is invertible")
     };
     let residual = |g: &[D]| up_to(g.len().min(target.len()), &mut |i| target[i] - g[i]);
     let size = |r: &[D]| each(r, &|r| r.re() * r.re()).into_iter().sum::<f64>();

@@ -83,7 +83,7 @@ impl Address {
     pub fn parse(written: &Spanned<String>, source: &Source) -> Result<Address, Fault> {
         let text = &written.value;
         if text.len() > LONGEST {
-            return Err(invalid(written.span, format!("this address has more than {LONGEST} bytes")));
+            return Err(invalid(written.span, format!("this address is too long: it has more than {LONGEST} bytes")));
         }
         let place = |part: Span| place_in_string(&source.text, written.span, part);
         let mut items = Vec::new();
@@ -97,7 +97,11 @@ impl Address {
             match (points.next(), points.next(), points.next()) {
                 (Some(one), None, _) => items.push(Item::One(one)),
                 (Some(from), Some(to), None) => items.push(Item::Range(from, to)),
-                _ => return Err(invalid(place(member), "a range must have two ends").help("as in `3.52 .. 3.56`")),
+                _ => {
+                    return Err(
+                        invalid(place(member), "a range of equations needs two ends").help("as in `3.52 .. 3.56`")
+                    );
+                }
             }
         }
         Ok(Address { text: text.clone(), span: written.span, items })
@@ -141,8 +145,8 @@ impl Address {
                 Item::One(point) => (point.row, point.part, point.step),
                 Item::Range(from, to) => {
                     if let Some(point) = [from, to].into_iter().find(partial) {
-                        return Err(not_found(source, point.span, "a range must consist of whole equations")
-                            .help("leave out `row`, `part` and `step`, or name each part by itself"));
+                        return Err(not_found(source, point.span, "the ends of a range must be whole equations")
+                            .help("leave out `row`, `part` and `step`, or list the parts one by one, with commas"));
                     }
                     (None, None, None)
                 }
@@ -161,8 +165,12 @@ impl Item {
             Item::Range(from, to) => {
                 let (first, last) = (from.one(notes, source)?, to.one(notes, source)?);
                 if last < first {
-                    return Err(not_found(source, from.span.to(to.span), "this range ends before it begins")
-                        .help("write the end that comes first in the notes first"));
+                    return Err(not_found(
+                        source,
+                        from.span.to(to.span),
+                        "in the notes, the second equation of this range stands before the first",
+                    )
+                    .help("exchange the two ends"));
                 }
                 Ok((first..=last).collect())
             }
@@ -174,7 +182,7 @@ impl Point {
     fn one(&self, notes: &Notes, source: &Arc<Source>) -> Result<usize> {
         match self.resolve(notes, source)?.as_slice() {
             [one] => Ok(*one),
-            _ => Err(not_found(source, self.span, "each end of a range must be one equation")),
+            _ => Err(not_found(source, self.span, "each end of a range must be one equation, so leave out `every`")),
         }
     }
 
@@ -195,8 +203,10 @@ impl Point {
             count => {
                 let shown: Vec<String> = found.iter().take(4).map(|&i| candidate(&notes.equations[i])).collect();
                 let more = if count > 4 { ", …" } else { "" };
-                Err(not_found(source, self.span, format!("{count} displays match {}", self.named()))
-                    .help(format!("they are {}{more}; use a longer snippet, or `every`", shown.join(", "))))
+                Err(not_found(source, self.span, format!("{count} displays match {}", self.named())).help(format!(
+                    "they are {}{more}; quote more of the LaTeX of one, or write `every` for all of them",
+                    shown.join(", ")
+                )))
             }
         }
     }
@@ -224,7 +234,9 @@ impl Point {
         match &self.target {
             Target::Snippet(_) | Target::EverySnippet(_) => error.help("copy the LaTeX from the notes"),
             Target::Number(id) | Target::Label(id) | Target::Name(id) => match (closest(notes, id), known(notes)) {
-                (_, None) => error.help("the notes have no numbers, labels or names; use a snippet in backticks"),
+                (_, None) => error.help(
+                    "the notes have no numbers, labels or names; quote a piece of the equation's LaTeX in backticks",
+                ),
                 (Some(closest), _) => error.help(format!("did you mean {closest}?")),
                 (None, Some(known)) => error.help(format!("the notes have {known}")),
             },
@@ -333,8 +345,10 @@ fn point(text: &str, span: Span, place: &dyn Fn(Span) -> Span) -> Result<Point, 
         rest = front.trim_end();
     }
     point.target = target(rest).ok_or_else(|| {
-        invalid(here, format!("`{rest}` is not an address of an equation"))
-            .help("write a number (6.72), a label, a name (#veff), or LaTeX in backticks; `row`, `part`, `step` follow in this order")
+        invalid(here, format!("`{rest}` is not an address of an equation")).help(
+            "write a number (6.72), a label, a name (#veff), or LaTeX in backticks; after it, `row`, `part` and \
+             `step` may follow in this order",
+        )
     })?;
     Ok(point)
 }

@@ -65,7 +65,7 @@ pub(super) fn assemble(
     }
     if let Some(name) = names.next() {
         return Err(Fault::notes(name.span, format!("no display follows the name {}", name.id))
-            .help("put the name before its display"));
+            .help("put the comment with the name before its display"));
     }
     work.numbers_inside(&mut pieces);
     Ok(work.join(pieces))
@@ -232,7 +232,7 @@ impl Work<'_> {
         if let (Some(first), Some(second)) = (&piece.number, tags.next()) {
             return Err(Fault::notes(
                 second.span,
-                format!("the display ({}) has a second number, {}", first.id, second.id),
+                format!("the display ({}) has a second number, ({})", first.id, second.id),
             )
             .help("number rows one by one in an align environment, or give each equation its own display"));
         }

@@ -215,11 +215,11 @@ fn syntax(text: &str, start: usize, error: &serde_json::Error) -> Fault {
                 .help("write the reason under \"because\", or remove the comment")
         }
         _ if text[offset..].starts_with('\'') => {
-            invalid(span, "this is not JSON: a string stands between double quotation marks")
+            invalid(span, "this is not JSON: texts in JSON stand between double quotation marks")
                 .help("write \" in place of '")
         }
         _ if !text.trim_start().starts_with('{') => {
-            invalid(span, "this is not JSON, and no claims file").help("a claims file is JSON, and begins with {")
+            invalid(span, "this file is not JSON, so it is no claims file").help("a claims file begins with {")
         }
         _ => invalid(span, format!("this is not JSON: {message}"))
             .help("look for a missing comma, quotation mark or bracket before this place"),
@@ -286,7 +286,7 @@ fn object(
         if let Some(first) = seen.insert(name.clone(), span) {
             let line = text[..first.start].matches('\n').count() + 1;
             return Err(invalid(span, format!("the key \"{name}\" is given twice; first in line {line}"))
-                .help("join the two; JSON would keep only the last"));
+                .help("join the two entries; JSON would keep only the last one"));
         }
         object.push((Spanned::new(name, span), value(text, item, depth + 1)?));
     }

@@ -43,7 +43,8 @@ pub(super) fn after(exhibit: &Exhibit, anchor: Option<&str>, prefix: &str, singl
                 h2 { "The derivation, step by step" }
                 @let address = if single { format!("#{anchor}") } else { format!("{anchor}.html") };
                 p {
-                    "The program derived the equations of this system by itself, line by line, each certified against those "
+                    "The program derived the equations of this system line by line. It certified each line against \
+                     the lines "
                     "before it: " a href=(address) { (derivation::title(lecture)) } "."
                 }
                 @if !single {
@@ -88,7 +89,7 @@ pub(super) fn lineup(
                             td { (formula(&row.derived)) }
                             td {
                                 @match (&row.printed, &row.derived, &row.factor) {
-                                    (_, _, Some(factor)) if factor == "-1" => "✗ the sign is the other one",
+                                    (_, _, Some(factor)) if factor == "-1" => "✗ printed with the other sign",
                                     (_, _, Some(factor)) => { "✗ printed with the factor " (factor.replace('-', "−")) },
                                     (Some(_), Some(_), None) => "✓ the same",
                                     (Some(_), None, None) => "✗ not derived",
@@ -122,8 +123,8 @@ pub(super) fn sides(
         Ok(svg) => figure(
             &svg,
             &format!(
-                "The two sides of ({}) against {name}, everything else fixed as at the rings. Of all variables, {name} separates \
-                 them most. The units are those of the numbers drawn.",
+                "The two sides of ({}) as functions of {name}. The rings show the sampled state; all other symbols \
+                 keep the values that they have there. Of all variables, {name} separates the two sides most.",
                 item.id
             ),
         ),

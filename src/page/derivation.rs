@@ -27,11 +27,12 @@ pub(super) fn lecture(lecture: &Lecture, prefix: &str, pictures: &Markup) -> Mar
             p class="path" { (lecture.name) }
             h1 { (title(lecture)) ": from the parts to the equations of motion" }
             p {
-                "The program derived each line below and typeset it. Then it checked the page as any other notes: a line is taken "
-                "for granted, or it is certified against the lines before it."
+                "The program derived and typeset each line below. Then it checked the lines as it checks any notes: \
+                 each line is "
+                "taken for granted, or certified against the lines before it."
             }
             details {
-                summary { "The state at which the lines have their values" }
+                summary { "The sampled state at which the lines are evaluated" }
                 p { (drawn(lecture)) "." }
             }
             nav aria-label="Sections" {
@@ -98,7 +99,7 @@ fn evidence(line: &Line, equation: &Equation) -> Markup {
     html! {
         details class="note" {
             summary { "Evidence" }
-            p { (bound(equation)) @if !values.is_empty() { " The value in the state that is compared is " (values.join(", ")) "." } }
+            p { (bound(equation)) @if !values.is_empty() { " At this state the value is " (values.join(", ")) "." } }
         }
     }
 }
@@ -109,7 +110,8 @@ fn bound(equation: &Equation) -> Markup {
     html! {
         @match (finding.false_accept_log2, &finding.not_certified_because) {
             (Some(power), _) => { "It is false with a probability below 2" sup { (format!("{:.0}", power.ceil())) } "." }
-            (None, Some(reason)) => { "It was tested with numbers, and is not certified: exact arithmetic does not decide " (reason) "." }
+            (None, Some(reason)) => { "It was tested at sampled states and is not certified, because exact arithmetic \
+                                       does not decide " (reason) "." }
             (None, None) => {}
         }
     }

@@ -176,7 +176,7 @@ fn equation(
             @for repair in &item.repairs {
                 (corrected(
                     &corrections::repair(repair, display, document.source.slice(repair.span)),
-                    &format!("With this edit it would be {}", repair.verdict.word()),
+                    &format!("With this edit the verdict would be {}", repair.verdict.word()),
                     macros,
                 ))
             }

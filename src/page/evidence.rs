@@ -52,13 +52,17 @@ pub(super) fn evidence(
         }
         @match finding.points {
             0 => {}
-            1 => { p { "Tried at 1 sampled state." } }
-            points => { p { "Tried at " (points) " sampled states." } }
+            1 => { p { "Tested at 1 sampled state." } }
+            points => { p { "Tested at " (points) " sampled states." } }
         }
         @if let Some(power) = finding.false_accept_log2 {
-            p { "Decided over a prime field: it is false with a probability below 2" sup { (format!("{:.0}", power.ceil())) } "." }
+            p {
+                "Confirmed by exact arithmetic: the equation is false with a probability below 2"
+                sup { (format!("{:.0}", power.ceil())) } "."
+            }
         }
-        @if let Some(reason) = &finding.not_certified_because { p { "Not certified because of " (reason) "." } }
+        @if let Some(reason) = &finding.not_certified_because { p { "Not certified, because exact arithmetic does not \
+                                                                     decide " (reason) "." } }
         @if let Some(reason) = &item.because { p { "Expected, because: " (reason) } }
         (counterexample(item, macros))
         @for note in notes { p { (note) } }
@@ -83,7 +87,7 @@ fn rests_on(item: &Equation, document: &Document, prefix: &str) -> Markup {
         }
     };
     html! {
-        @if !below.is_empty() { p { "Rests on " (links(&below)) "." } }
+        @if !below.is_empty() { p { "Depends on " (links(&below)) "." } }
         @if !above.is_empty() { p { "Used by " (links(&above)) "." } }
     }
 }

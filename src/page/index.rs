@@ -53,7 +53,8 @@ pub(super) fn index(
             }
             aside aria-labelledby="found" {
                 h2 id="found" { "What was found" }
-                @if !report.items().any(|item| is_found(&item)) { p { "Nothing is wrong or open." } }
+                @if !report.items().any(|item| is_found(&item)) { p { "Nothing is wrong, and nothing was left \
+                                                                       undecided." } }
                 ul class="found" {
                     @for (at, document) in report.documents.iter().enumerate() {
                         @let (displays, macros) = displays(document);
@@ -94,22 +95,25 @@ fn introduction(report: &Report) -> Markup {
         header class="page front" {
             h1 { "Checked equations" }
             p class="lead" {
-                "onshell reads the equations in physics notes, derives what is true independently, from a Lagrangian, by automatic "
-                "differentiation, or from laws, and gives each equation a verdict with its evidence."
+                "onshell reads the equations in physics notes. It derives independently what is true, from a \
+                 Lagrangian by automatic "
+                "differentiation, or from laws. Each equation gets a verdict with its evidence."
             }
             p class="figures" {
                 span { b { (equations) } " " (if equations == 1 { "equation" } else { "equations" }) } " "
                 span { b { (sentences) } " " (if sentences == 1 { "sentence" } else { "sentences" }) } " "
                 span { b { (errata) } " " (if errata == 1 { "erratum" } else { "errata" }) } " "
-                span { b { (wrong) } " unexpected" }
+                span { b { (wrong) } " not as expected" }
             }
             p class="visually-hidden" { (plural(equations, "equation")) " and " (plural(sentences, "sentence")) " in " (plural(report.documents.len(), "document")) "." }
             dl class="legend" {
                 @for (verdict, ok, meaning) in [
-                    (Verdict::Certified, true, "decided exactly, up to a tiny, stated probability"),
-                    (Verdict::Verified, true, "holds at every state that was tried"),
-                    (Verdict::Definition, true, "gives a name, and other equations test it"),
-                    (Verdict::Refuted, false, "fails at a state, which is given, with a correction"),
+                    (Verdict::Certified, true, "confirmed by exact arithmetic; the tiny probability of an error is \
+                                                given"),
+                    (Verdict::Verified, true, "holds at every sampled state"),
+                    (Verdict::Definition, true, "defines a name, and other equations test it"),
+                    (Verdict::Refuted, false, "fails at a sampled state, which is shown, with a correction where one \
+                                               was found"),
                     (Verdict::Refuted, true, "a known mistake of the notes: it is refuted, and the correction is given"),
                     (Verdict::Undecided, false, "not decided; the reason is given"),
                 ] {

@@ -49,7 +49,10 @@ impl Figure {
     pub fn svg(&self) -> Result<String> {
         let points = self.curves.iter().flat_map(|curve| &curve.points).chain(&self.marks);
         let finite = || points.clone().filter(|(x, y)| x.is_finite() && y.is_finite());
-        let nothing = || Error::new("there is nothing to draw").help("choose another starting state with --set");
+        let nothing = || {
+            Error::new("there is nothing to draw, because no computed value is finite")
+                .help("choose another starting state with --set")
+        };
         finite().next().ok_or_else(nothing)?;
         let range = |of: fn(&(f64, f64)) -> f64| {
             let (low, high) = finite().map(of).fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));

@@ -90,7 +90,8 @@ fn motion(system: &System, start: &Start) -> Result<Figure> {
 /// When the energy is not conserved, or the motion cannot be integrated.
 pub(super) fn energy_drift(system: &System, start: &Start, tolerance: f64) -> Result<Vec<(f64, f64)>> {
     if system.depends_on_time() {
-        return Err(Error::new(format!("the energy of {} is not conserved", system.name())).help("plot the motion"));
+        let message = format!("the energy of {} is not conserved, so this picture is not drawn", system.name());
+        return Err(Error::new(message).help("draw the motion instead: --as motion"));
     }
     let moments = trajectory::motion(system, (&start.q, &start.v), &start.parameters, start.end, tolerance)?;
     let energy = |moment: &Moment| system.quantities(moment.time, &moment.q, &moment.v, &start.parameters).energy;
@@ -121,8 +122,10 @@ fn single(system: &System) -> Result<usize> {
     let moving: Vec<usize> = (0..system.coordinates().len()).filter(|&i| !system.is_cyclic(i)).collect();
     match moving[..] {
         [i] if !system.depends_on_time() => Ok(i),
-        _ => Err(Error::new(format!("{} has no effective potential of one coordinate", system.name()))
-            .help("name a system in which all coordinates but one are cyclic, such as heavy_top or kepler")),
+        _ => {
+            Err(Error::new(format!("{} has no effective potential that depends on one coordinate only", system.name()))
+                .help("name a system in which all coordinates but one are cyclic, such as heavy_top or kepler"))
+        }
     }
 }
 

@@ -37,7 +37,7 @@ impl Start {
         let mut start = Start { q, v: v.collect(), parameters, end };
         for (at, (latex, value)) in given.iter().enumerate() {
             if given[..at].iter().any(|(other, _)| plain(other) == plain(latex)) {
-                return Err(Error::new(format!("{} is set twice", plain(latex))).help("set it once"));
+                return Err(Error::new(format!("{} is set twice", plain(latex))).help("give --set once for each name"));
             }
             let of =
                 |names: &[String], dots: u8| names.iter().position(|own| plain(&with_dots(own, dots)) == plain(latex));
@@ -56,7 +56,7 @@ impl Start {
                     system.name()
                 ))
                 .help(format!(
-                    "its names are {}; a rate is written with a dot, as in '\\dot\\theta=0.5'",
+                    "the names are {}; write a rate with a dot, as in --set '\\dot\\theta=0.5'",
                     all.join(", ")
                 )));
             }

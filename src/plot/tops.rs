@@ -17,8 +17,10 @@ fn is_top(system: &System) -> Result<()> {
     let sound = system.coordinates().len() == 3 && system.has_orientation() && cyclic(turns) && cyclic(spins);
     match sound && !cyclic(tilt) {
         true => Ok(()),
-        false => Err(Error::new(format!("the system {} is not a symmetric top", system.name()))
-            .help("this picture is drawn for heavy_top")),
+        false => {
+            Err(Error::new(format!("{} is not a symmetric top", system.name()))
+                .help("this picture is drawn for heavy_top"))
+        }
     }
 }
 
@@ -112,7 +114,7 @@ pub(super) fn axis(system: &System, start: &Start) -> Result<Figure> {
     let momentum = system.quantities(0.0, &start.q, &start.v, &start.parameters).momenta[spins];
     let Some([slow, _]) = steady_rates(system, start, momentum) else {
         return Err(Error::new("the top spins too slowly for steady precession")
-            .help("give it a larger rate of its last angle, as in --set '\\dot\\psi=5'"));
+            .help("give the last angle a larger rate, as in --set '\\dot\\psi=5'"));
     };
     let whole = std::f64::consts::TAU;
     // each kind of nutation over its own third of the way around, so that they do not cover each other
@@ -156,7 +158,8 @@ pub(super) fn axis(system: &System, start: &Start) -> Result<Figure> {
 pub(super) fn polhodes(system: &System, start: &Start) -> Result<Figure> {
     let free = system.coordinates().len() == 3 && system.parameters().len() == 3 && system.has_orientation();
     if !free {
-        return Err(Error::new(format!("{} is not a free rigid body", system.name())).help("name free_rigid_body"));
+        return Err(Error::new(format!("{} is not a free rigid body", system.name()))
+            .help("this picture is drawn for free_rigid_body"));
     }
     let moments = Vector3::from_row_slice(&start.parameters);
     // on the ellipsoid of energy 1/2: λ₁ω₁² + λ₂ω₂² + λ₃ω₃² = 1

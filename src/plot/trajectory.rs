@@ -56,9 +56,9 @@ pub fn motion(
         let cause = match system.accelerations(time, q, v, parameters) {
             Err(error) => error.message().to_owned(),
             Ok(rates) if rates.iter().any(|rate| !rate.is_finite()) => {
-                "the accelerations are not finite at the state there".to_owned()
+                "the accelerations are not finite at this time".to_owned()
             }
-            Ok(_) => "the error of a step could not be kept small".to_owned(),
+            Ok(_) => "the numerical error of a step stayed too large".to_owned(),
         };
         Error::new(format!("the integration stopped at t = {}: {cause}", number(time, 4)))
             .help("choose another starting state with --set, or a shorter time with --until")
@@ -146,7 +146,7 @@ impl ODE<f64, Vec<f64>> for Turning<'_> {
 pub fn polhode(system: &System, parameters: &[f64], omega: [f64; 3], end: f64) -> Result<Vec<[f64; 3]>> {
     let lost = || {
         Error::new("the angular velocity cannot be integrated to the end")
-            .help("polhodes are drawn of a free rigid body, such as free_rigid_body")
+            .help("this picture is drawn for free_rigid_body; choose other values with --set")
     };
     let turning = Turning::new(system, parameters).ok_or_else(lost)?;
     let states = integrated(&turning, omega.to_vec(), end, 160, 1e-9).map_err(|_| lost())?;

@@ -41,12 +41,15 @@ pub(super) fn unexpected(document: &Document, item: &Equation, style: Style) -> 
     let mut notes = evidence(finding);
     notes.extend(wrong.map(|(at, part)| another(document, item, at, &part.finding, finding)));
     notes.extend(item.because.as_ref().map(|because| match finding.verdict.passes() {
-        true => format!("the reason in the claims file: {because}"),
-        false => format!("the claims file expects another verdict: {because}"),
+        true => format!(
+            "the claims file gives this reason: {because}; if the equation is correct now, remove \"expect\" and \
+             \"because\""
+        ),
+        false => format!("the claims file expects another verdict, for this reason: {because}"),
     }));
     let message = match (&item.because, finding.verdict.passes()) {
         (Some(_), true) => {
-            format!("({}) is {}, and the claims file expects that it does not pass", item.id, finding.verdict)
+            format!("({}) is {}, but the claims file expects that it does not pass", item.id, finding.verdict)
         }
         _ => headline(item, finding),
     };
@@ -57,7 +60,10 @@ pub(super) fn unexpected(document: &Document, item: &Equation, style: Style) -> 
         _ => (Level::ERROR, "error"),
     };
     if finding.code == Code::Skipped && item.because.is_none() {
-        notes.push("if this is intended, add \"expect\": \"unclaimed\" and \"because\" beside \"skip\"".to_owned());
+        notes.push(
+            "to leave it out without this warning, add \"expect\": \"unclaimed\" and \"because\" beside \"skip\""
+                .to_owned(),
+        );
     }
     let title: Title<'_> = level.primary_title(titled(word, code, &message, style)).id(code);
     let notes = notes.iter().map(|note| below(Level::NOTE, note, style)).collect();

@@ -39,9 +39,9 @@ pub fn kind(lost: Lost) -> &'static str {
         Lost::Factor => "a factor or a number is wrong",
         Lost::Power => "a power is wrong",
         Lost::Function => "a function is wrong, such as a sine for a cosine",
-        Lost::Symbol => "a symbol stands for another one",
+        Lost::Symbol => "one symbol stands in the place of another",
         Lost::Dot => "a dot is missing, or there is one too many",
-        Lost::Term => "a term is lost, or does not belong there",
+        Lost::Term => "a term is missing, or one does not belong there",
     }
 }
 
@@ -61,7 +61,7 @@ pub fn hint(marked: &Marked, line: &Line, hints: Hints) -> String {
     if hints.0 >= 2 {
         let kind = match (slip, correction(marked, line)) {
             (None, _) if matches!(line.because, Because::Unit { .. }) => "the unit is wrong",
-            (None, _) => "no single change that was tried makes it right",
+            (None, _) => "no single change that was tried makes the line right",
             (Some(slip), Some((is, _))) if slip.lost == Lost::Function && is.is_empty() => "a function is missing",
             (Some(slip), _) => kind(slip.lost),
         };
@@ -80,7 +80,7 @@ pub fn hint(marked: &Marked, line: &Line, hints: Hints) -> String {
         } else if let Some(derived) = &line.derived {
             text += &match derived {
                 Derived::Instead(formula) => format!("; the derived equation is {formula}"),
-                Derived::Difference(formula) => format!("; left side − right side is {formula}, and not 0"),
+                Derived::Difference(formula) => format!("; left side − right side should be 0, and is {formula}"),
             };
         }
     }
@@ -148,7 +148,7 @@ pub fn rows(class: &[Marked], hints: Hints) -> Vec<[String; 13]> {
             let mut row = row();
             (row[5], row[6]) = ("missing".to_owned(), number(0.0));
             (row[10], row[11]) = (result.id.clone(), number(result.points));
-            row[12] = format!("no line says {}", called(result));
+            row[12] = format!("no line gives the result {}", called(result));
             rows.push(row);
         }
     }

@@ -47,13 +47,14 @@ pub fn text(documents: &[Mutated], verbose: bool, style: Style) -> String {
         for document in documents {
             for equation in &document.equations {
                 for missed in equation.repairs.iter().flat_map(|repairs| &repairs.missed) {
-                    tell("", &slip(&document.source, equation, "not corrected", missed), 4);
+                    tell("", &slip(&document.source, equation, "was not corrected", missed), 4);
                 }
             }
         }
         let share = |count: usize| 100.0 * count as f64 / tried as f64;
         let line = format!(
-            "of {tried} detected mistakes the first suggestion corrects {first} ({:.1}\u{a0}%), one of three {offered} ({:.1}\u{a0}%)",
+            "the first suggestion corrects {first} of {tried} detected mistakes ({:.1}\u{a0}%), one of the first \
+             three suggestions corrects {offered} ({:.1}\u{a0}%)",
             share(first),
             share(offered)
         );
@@ -124,7 +125,7 @@ fn slip(source: &Source, equation: &Mutants, fate: &str, survivor: &Survivor) ->
     let (line, column) = source.line_column(survivor.span.start);
     let change = change(&survivor.original, &survivor.replacement);
     format!(
-        "({}) {fate} at {}:{line}:{column}: {change} ({}); {}",
+        "mutant of ({}) {fate} at {}:{line}:{column}: {change} ({}); {}",
         equation.id,
         source.path_at(survivor.span.start),
         survivor.slip.word(),

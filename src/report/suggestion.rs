@@ -129,7 +129,8 @@ fn corrected_too(shared: &Shared, style: Style) -> String {
 fn elsewhere(id: &str, displays: &[String], style: Style) -> String {
     let title = match displays {
         [own] if own == id => {
-            "no passing equation uses the name that this one defines, so the mistake may be on either side".to_owned()
+            "no passing equation uses the name that this equation defines, so the mistake may be on either side"
+                .to_owned()
         }
         displays => {
             let listed = listed(displays, "or");

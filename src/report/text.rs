@@ -313,7 +313,7 @@ fn summary(report: &Report) -> String {
         let counts = if counts.is_empty() { "nothing was checked".to_owned() } else { counts.join(", ") };
         let basis = match report.documents.iter().all(|document| document.claims.is_none()) {
             true => "without a claims file",
-            false => "by guesses",
+            false => "with guesses in the claims file",
         };
         return format!("{displays} display{plural}, {basis}: {counts}");
     }
@@ -342,8 +342,8 @@ fn summary(report: &Report) -> String {
     let inherited = report.items().filter(|item| !item.ok && item.finding.follows_from.is_some()).count();
     let verdict = match inherited {
         0 => verdict,
-        1 => format!("{verdict}, 1 because it follows from another"),
-        n => format!("{verdict}, {n} because they follow from another"),
+        1 => format!("{verdict}, 1 because of a mistake in another"),
+        n => format!("{verdict}, {n} because of a mistake in another"),
     };
     let plural = |n: usize, word: &str| if n == 1 { format!("1 {word}") } else { format!("{n} {word}s") };
     let (equations, sentences) = (plural(equations, "equation"), plural(sentences, "sentence"));

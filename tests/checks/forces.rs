@@ -51,7 +51,7 @@ fn a_force_follows_from_a_motion_that_is_given() {
 fn a_force_with_a_range_is_rejected_with_a_way_out() {
     let positive = with(&cart(), "varies with time", json!({ "u": "> 0" }));
     let message = error(&positive, &[LAGRANGIAN], json!({}));
-    assert!(message.contains("a force contains u, which varies freely"), "{message}");
+    assert!(message.contains("a force contains u, which varies with time and has a range"), "{message}");
     let mut declared = with(&cart(), "functions", json!({ "u": "of t" }));
     declared["assume"] = json!(["u > 0"]);
     declared["varies with time"] = json!({});

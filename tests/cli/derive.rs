@@ -138,7 +138,7 @@ fn what_follows_from_the_lagrangian_of_notes_is_derived_and_drawn() {
     let free = desk.onshell(&["derive", "orbit.md"]);
     assert_eq!(free.code, 2);
     assert!(free.err.contains("a function without a formula"), "{}", free.err);
-    assert!(desk.onshell(&["derive", "absent.md"]).err.contains("there are no notes absent.md"));
+    assert!(desk.onshell(&["derive", "absent.md"]).err.contains("there is no file absent.md"));
 }
 
 #[test]
@@ -155,9 +155,9 @@ fn a_force_beside_the_lagrangian_has_its_place_in_the_steps() {
     let run = desk.onshell(&["derive", "damped.md", "--steps"]);
     assert_eq!(run.code, 0, "{}", run.err);
     assert!(run.out.contains("m·x\u{308} = −b·x\u{307} − k·x"), "{}", run.out);
-    assert!(run.out.contains("acts the force") && !run.out.contains("is constant"), "{}", run.out);
+    assert!(run.out.contains("The force ") && !run.out.contains("is constant"), "{}", run.out);
     // the twin: without the force the energy is conserved
     desk.write("damped.json", claims(""));
     let run = desk.onshell(&["derive", "damped.md", "--steps"]);
-    assert!(!run.out.contains("acts the force") && run.out.contains("is constant"), "{}", run.out);
+    assert!(!run.out.contains("The force ") && run.out.contains("is constant"), "{}", run.out);
 }

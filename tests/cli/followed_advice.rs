@@ -68,7 +68,7 @@ fn a_value_is_computed_or_the_reason_is_given() {
     assert_eq!(onshell("eval", &["eval", "\\int_0^1 x\\, dx"]).1.trim(), "0.5");
     for (arguments, says) in [
         (vec!["\\vec v^2", "--set", "v=1"], "v⃗ is a vector"),
-        (vec!["\\pi", "--set", "\\pi=3"], "π has its value"),
+        (vec!["\\pi", "--set", "\\pi=3"], "the value of π is fixed"),
         (vec!["3\\,\\text{m}", "--set", "m=2"], "the formula has no letters"),
         (vec!["\\begin{pmatrix}1&2\\\\2&4\\end{pmatrix}^{-1}"], "the determinant 0"),
         (vec!["f(x)", "--set", "x=1"], "f has no formula"),
@@ -107,9 +107,9 @@ fn a_key_of_a_claims_file_says_what_it_takes() {
     };
     let notes = "$$ E = \\frac12 m l^2\\dot\\theta^2 - m g l\\cos\\theta \\tag{1} $$\n";
     for (name, claim, says) in [
-        ("conserved", json!({ "conserved": "yes" }), "\"conserved\" is true, without quotation marks"),
+        ("conserved", json!({ "conserved": "yes" }), "write true without quotation marks"),
         ("assume", json!({ "assume": "small angle" }), "“small angle” is not a hypothesis"),
-        ("equilibrium", json!({ "equilibrium": "yes" }), "\"equilibrium\" is true"),
+        ("equilibrium", json!({ "equilibrium": "yes" }), "write true without quotation marks"),
         ("skip", json!({ "skip": true }), "write the reason"),
         ("dropping", json!({ "dropping": "m g l" }), "remove \"dropping\""),
         ("same", json!({ "same motion as": "L" }), "\"Lagrangian\""),
@@ -132,7 +132,7 @@ fn a_name_that_is_not_declared_leads_to_what_it_is() {
     });
     let notes = "$$ \\frac{d\\hat e_1}{dt} = \\omega_3 \\hat e_2 - \\omega_2 \\hat e_3 \\tag{1} $$\n";
     let said = check("component", notes, &turning);
-    assert!(said.contains("if it is a component of \\vec{\\omega}") && said.contains("under \"components\""), "{said}");
+    assert!(said.contains("for a component of \\vec{\\omega}") && said.contains("under \"components\""), "{said}");
     let mut with = turning;
     with["components"] = json!({ "\\vec{\\omega}": "along \\hat e_a" });
     assert!(check("component-then", notes, &with).contains("certified"));

@@ -107,7 +107,7 @@ fn several_files_projects_and_notebooks_get_a_file_each() {
     desk.write("old.json", "{ \"notes\": \"old.md\", \"constants\": { \"a, b\": \"any\" } }");
     let run = desk.onshell(&["init", "."]);
     assert_eq!(run.code, 0, "{}{}", run.out, run.err);
-    assert!(run.out.contains("old.json: this is a claims file already"), "{}", run.out);
+    assert!(run.out.contains("old.json: this claims file exists already"), "{}", run.out);
     assert!(desk.read("book.json").contains("\"k\": \"> 0\""), "{}", desk.read("book.json"));
     assert!(desk.read("main.json").contains("\\\\theta") && !desk.path("part.json").exists());
     let run = desk.onshell(&["check", "main.tex", "--format", "json"]);

@@ -171,7 +171,7 @@ fn a_wrong_equation_of_motion_stands_beside_the_derived_one_term_by_term_and_as_
     assert_eq!(desk.onshell(&["report", "bead.md", "--out", "pages"]).code, 1);
     let page = desk.read("pages/bead.html");
     for words in
-        ["the sign is the other one", "✓ the same", "Both sides against", "Turning points of the bead", "All 8 lines"]
+        ["printed with the other sign", "✓ the same", "Both sides against", "Turning points of the bead", "All 8 lines"]
     {
         assert!(page.contains(words), "no {words}");
     }
@@ -182,7 +182,7 @@ fn a_wrong_equation_of_motion_stands_beside_the_derived_one_term_by_term_and_as_
     let page = desk.read("pages/bead.html");
     assert!(
         page.contains("✓ the same")
-            && !page.contains("the sign is the other one")
+            && !page.contains("printed with the other sign")
             && !page.contains("Both sides against")
     );
     let single = desk.onshell(&["report", "bead.md", "--out", "one", "--single"]);

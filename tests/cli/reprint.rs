@@ -109,7 +109,7 @@ fn what_is_damaged_is_unreadable_at_its_place() {
         ("accent", r"E = \frac{p^2}{2\bar{\bar{m}}}", "is not declared"),
         ("brace", r"E = \frac{p^2}{2m", "never closed"),
         ("empty", r" ", "display is empty"),
-        ("name", r"K = \frac{p^2}{2m}", "so it is unknown"),
+        ("name", r"K = \frac{p^2}{2m}", "K is unknown"),
         ("cell", r"E = \begin{pmatrix} p & & m \end{pmatrix}", "is empty in column 2"),
         ("no-relation", r"\frac{p^2}{2m}", "without a relation"),
     ] {
@@ -285,6 +285,9 @@ fn claims_about_the_file_itself_are_checked_with_their_sentences() {
     let both = desk.onshell(&["check", "reference.md", "--claims", "elsewhere.json", "absent.json"]);
     assert_eq!(both.code, 2, "{}", both.out);
     let heard = both.err.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(heard.contains("2 claims files are given, and elsewhere.json already belongs to reference.md"), "{heard}");
-    assert!(heard.contains("use only elsewhere.json"), "{heard}");
+    assert!(
+        heard.contains("2 claims files are given, but elsewhere.json is the claims file of reference.md"),
+        "{heard}"
+    );
+    assert!(heard.contains("give only elsewhere.json"), "{heard}");
 }

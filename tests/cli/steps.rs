@@ -39,7 +39,7 @@ fn one_slip_is_one_error_and_the_others_say_where_it_is() {
         "error[sides-differ]: (1) is refuted",
         "✗ 2  refuted     this step is correct, but it builds on the mistake in (1); fix (1)",
         "✗ 3  refuted     this step is correct, but it builds on (2), which builds on the mistake in (1); fix (1)",
-        "3 are not as expected, 2 because they follow from another",
+        "3 are not as expected, 2 because of a mistake in another",
     ] {
         assert!(run.out.contains(wanted), "no “{wanted}” in:\n{}", run.out);
     }

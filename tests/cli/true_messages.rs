@@ -35,7 +35,7 @@ fn pendulum(claim: Value) -> Value {
 fn an_equation_of_motion_is_no_position_of_rest() {
     let motion = "$$ \\ddot\\theta = -\\frac gl\\sin\\theta \\tag{1} $$\n";
     let run = check("rest", motion, Some(pendulum(json!({ "equilibrium": true }))));
-    says(&run, "(1) was not decided: a position of rest has no time derivatives in it");
+    says(&run, "(1) was not decided: \"equilibrium\" needs a display without time derivatives");
     is_silent(&run, "did you mean");
     // `--fix` leaves the true equation as it is.
     let desk = Desk::new("true-messages-rest-fix");
@@ -56,7 +56,7 @@ fn the_values_of_also_equals_stand_on_the_sides_that_are_named() {
     let claims = |also: &str| json!({ "notes": "notes.md", "constants": { "a, b": "> 0" }, "equations": { "1": { "also equals": also } } });
     let notes = "$$ (a + b)^2 = a^2 + 2ab + b^2 \\tag{1} $$\n";
     let run = check("also", notes, Some(claims("0")));
-    says(&run, "\"also equals\", on the left, differs from the printed formula, on the right");
+    says(&run, "the formula of \"also equals\" (left side) differs from the printed formula (right side)");
     says(&run, "left side 0, right side ");
     is_silent(&check("also-true", notes, Some(claims("(b + a)^2"))), "differs");
 }

@@ -40,7 +40,7 @@ impl Certificate {
             }
             Certificate::Open(reason) => Finding { not_certified_because: Some(reason), ..finding },
             Certificate::LargeCoefficients => {
-                let reason = "coefficients that may be larger than the prime".to_owned();
+                let reason = "coefficients that may be very large".to_owned();
                 Finding { not_certified_because: Some(reason), ..finding }
             }
             Certificate::NegligibleTerm(term) => {
@@ -51,7 +51,10 @@ impl Certificate {
                 finding.replaced(Code::DiffersAsIdentity, Verdict::Refuted, message)
             }
             Certificate::DiffersFor(size) => {
-                let message = format!("this fails for {size} members; exact arithmetic shows the difference");
+                let message = format!(
+                    "this is false for a family of {size} members, as exact arithmetic shows; check the limits of the \
+                     sums"
+                );
                 finding.replaced(Code::FailsForFamilySize, Verdict::Refuted, message)
             }
         }

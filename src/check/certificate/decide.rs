@@ -59,7 +59,7 @@ const POINTS: std::ops::RangeInclusive<usize> = 2..=6;
 const ATTEMPTS: u32 = 64;
 
 /// The reason for which a claim about families of any size stays open.
-const HOW_IT_GROWS: &str = "sums over a family: the numbers of members that were tried do not decide all others";
+const HOW_IT_GROWS: &str = "sums over a family, because only some numbers of members were tried";
 
 /// The largest number of integer values that are tried one after the other.
 const WHOLES: usize = 32;
@@ -130,7 +130,8 @@ fn decide_by(
         return Certificate::Open(PRINCIPAL_AXES.to_owned());
     };
     let found = all_symbols(formulas, projection).and_then(|symbols| {
-        integer_values(projection, &symbols).ok_or_else(|| "integers with too many values to try each".to_owned())
+        integer_values(projection, &symbols)
+            .ok_or_else(|| "integers that have too many values to try them all".to_owned())
     });
     let integer_values = match found {
         Ok(integer_values) => integer_values,
@@ -195,7 +196,7 @@ fn decide_in<F: Modulus>(
             (Certificate::LargeCoefficients, Some(_)) => return Certificate::LargeCoefficients,
             (_, Some(reason)) => return Certificate::Open(reason),
             (Certificate::Differs, None) if !was_drawn(whole) => {
-                let open = || Certificate::Open("an integer value at which no state was drawn".to_owned());
+                let open = || Certificate::Open("an integer value for which there is no sampled state".to_owned());
                 let other = size(whole).filter(|_| whole.len() == counts.len());
                 return other.map_or_else(open, Certificate::DiffersFor);
             }
@@ -224,7 +225,7 @@ fn at_points<F: Modulus>(
             return Certificate::Identity(log2);
         }
     }
-    Certificate::Open("polynomials of too high a degree for the prime field".to_owned())
+    Certificate::Open("polynomials of very high degree".to_owned())
 }
 
 /// All combinations of values of the integers in a base on which the claim depends; `None` if there are too many. Each

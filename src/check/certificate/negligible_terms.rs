@@ -26,7 +26,10 @@ pub fn of_claim(link: &Link, states: &[SampledState<'_, RunningError>]) -> Optio
 
 /// The message about a claim with such a term.
 pub(crate) fn message(term: &str) -> String {
-    format!("“{term}” is too small beside the other terms to be tested; choose ranges in which it matters")
+    format!(
+        "“{term}” is far smaller than the other terms at all sampled states, so it was not tested; choose ranges in \
+         which it is of similar size"
+    )
 }
 
 /// Such a term of a sum inside of a claim: under a root, in a sine, in an exponent.

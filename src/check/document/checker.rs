@@ -81,7 +81,8 @@ impl Checker<'_> {
     /// The links of a statement that is a hypothesis; a = b = 0 gives a = 0 and b = 0.
     fn links(&self, statement: &Statement) -> Result<Vec<Link>> {
         if !statement.conditions.is_empty() {
-            let message = "an equation that holds under a condition cannot be a hypothesis";
+            let message = "an equation with a condition beside it cannot be a hypothesis or a law; write it as LaTeX \
+                           without the condition";
             return Err(Error::new(message).with_code(Code::NotSupported));
         }
         let (members, last) = (&statement.members, statement.members.len() - 1);
@@ -143,7 +144,7 @@ impl Checker<'_> {
         let found = continuum::check(link, context)?;
         if !known && found.verdict.passes() {
             let message = format!(
-                "({}) does not define {} for particles; name the equation that does",
+                "({}) does not define {} for particles; under \"continuum limit of\", name the equation that does",
                 of.text,
                 text::formula(&link.lhs, &self.model.symbols)
             );
@@ -207,7 +208,7 @@ impl Checker<'_> {
                         "{} is not a family of symbols, and \\cup joins families only",
                         name.value
                     ))
-                    .help("give it an index that runs over labels"));
+                    .help("give it a label as index: \"indices\": { \"i\": \"1..n\" }, m_i"));
                 }
                 let part = |part: &&str| self.formula(&Spanned::new((*part).to_owned(), meaning.span));
                 Action::Union(parts.iter().map(part).collect::<Result<_>>()?)
@@ -309,7 +310,7 @@ impl Checker<'_> {
             None => Err(Error::at(
                 &self.claims.source,
                 what.span,
-                format!("({}) is a part that the display does not have", what.value),
+                format!("({}) names a part that its display does not have", what.value),
             )),
         }
     }
@@ -430,7 +431,11 @@ impl Checker<'_> {
     }
 
     fn no_equation(&self, address: &Spanned<String>) -> Error {
-        Error::at(&self.claims.source, address.span, format!("({}) is not an equation", address.value))
+        Error::at(
+            &self.claims.source,
+            address.span,
+            format!("({}) has no relation such as =, and an equation is needed", address.value),
+        )
     }
 
     /// `x \to a`.

@@ -22,7 +22,7 @@ pub(crate) fn define(
     let error = |message: String| Error::at(&claims.source, latex.span, message);
     let square = latex.value.trim().strip_suffix("^2").or(latex.value.trim().strip_suffix("^{2}"));
     let name = name_search::parse_decorated(square.unwrap_or(&latex.value)).ok_or_else(|| {
-        error(format!("{} is defined here, and is not the name of a symbol", latex.value))
+        error(format!("{} cannot be defined, because it is not the name of a symbol", latex.value))
             .help("write a letter or a Greek command, with accents, a subscript or primes, as in \\hat{e}_a")
     })?;
     let mut symbols = model.symbols.clone();
@@ -49,17 +49,20 @@ pub(crate) fn define(
     let own: Vec<IndexId> = symbols.entry(id).slots.iter().map(|(_, letter)| *letter).collect();
     if let Some(stray) = found.free.iter().find(|letter| !own.contains(letter)) {
         let letter = &symbols.indices[stray.0].letter;
-        return Err(error(format!("the index {letter} is free in this definition, and {shown} does not have it"))
-            .help("give the name this index, or sum over the index"));
+        return Err(error(format!(
+            "this definition contains the index {letter} without a sum over it, and {shown} has no index {letter}"
+        ))
+        .help("give the name this index too, or write a Σ over the index"));
     }
     if let Some((_, [letter, _])) =
         formula.pair_sums().iter().find(|(_, pair)| own.iter().any(|own| pair.contains(own)))
     {
         let letter = &symbols.indices[letter.0].letter;
         return Err(error(format!(
-            "the definition of {shown} sums over pairs of {letter} and another index, and {shown} has one of them"
+            "in the definition of {shown}, one Σ sums over {letter} and another index, and one of them is an index of \
+             {shown}"
         ))
-        .help("write one Σ for each index that is summed over"));
+        .help("sum over the other index only, as in \\sum_{j \\neq i}"));
     }
     symbols.mark_defined(id, &formula, square.is_some());
     model.symbols = symbols;

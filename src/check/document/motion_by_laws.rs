@@ -10,6 +10,7 @@ use crate::formula::tree::{Sign, Term, Variable};
 use crate::formula::{Expr, Node, Relation, SymbolId, text};
 use crate::notes::claims::Claims;
 use crate::source::Span;
+use crate::suggest::in_json;
 use crate::{Error, Result};
 
 use crate::check::model::Model;
@@ -42,7 +43,7 @@ pub(crate) fn of_the_hamiltonian(claims: &Claims, model: &mut Model) -> Result<(
     if let Some((q, _)) = model.symbols.canonical.iter().find(|(_, momenta)| momenta.is_empty()) {
         let q = model.name(*q);
         return Err(error(format!("the momentum of {} has no name", text::plain(&q)))
-            .help(format!("say which name it has: \"means\": {{ \"p\": \"momentum of {q}\" }}")));
+            .help(format!("say which name it has: \"means\": {{ \"p\": {} }}", in_json(&format!("momentum of {q}")))));
     }
     if derivatives(&itself(symbol), model) > 0 {
         return Err(
@@ -50,13 +51,13 @@ pub(crate) fn of_the_hamiltonian(claims: &Claims, model: &mut Model) -> Result<(
         );
     }
     let law = hamilton(model, symbol).ok_or_else(|| {
-        error(format!("the derivatives of {shown} are not supported"))
-            .help("write it with sums, products, powers and elementary functions")
+        error(format!("the derivatives of {shown} cannot be formed as formulas"))
+            .help(format!("write {shown} with sums, products, powers and elementary functions"))
     })?;
     model.laws.push(law);
     let names: Vec<String> = model.symbols.canonical.iter().map(|(q, _)| text::plain(&model.name(*q))).collect();
     model.inferred.push(format!(
-        "Hamilton's equations of {shown}, which the notes define, move the coordinates {}",
+        "the coordinates {} move by Hamilton's equations of {shown}, which the notes define",
         names.join(", ")
     ));
     Ok(())
@@ -96,7 +97,9 @@ pub(crate) fn of_the_lagrangian(model: &mut Model, symbol: SymbolId) -> bool {
     }
     changed.laws.push(law);
     let shown = text::plain(&changed.name(symbol));
-    changed.inferred.push(format!("{shown} does not give all accelerations, so its equations of motion hold as laws"));
+    changed.inferred.push(format!(
+        "the Lagrangian {shown} does not determine all accelerations, so its equations of motion are used as laws"
+    ));
     *model = changed;
     true
 }

@@ -14,6 +14,7 @@ use crate::notes::Notes;
 use crate::notes::claims::{Claims, Spanned};
 use crate::scalar::Symbol;
 use crate::source::Fault;
+use crate::suggest::in_json;
 use crate::{Error, Result};
 
 use crate::check::document::unreadable::faults;
@@ -60,12 +61,15 @@ pub(crate) fn make((claims, notes): (&Claims, &Notes), readings: &[Reading], mod
     let feeds = leaves(model, symbol);
     if let Some(free) = feeds.iter().find(|id| matches!(meaning(**id), Some(Meaning::Varying(_)))) {
         let (free, latex) = (name(*free), model.name(*free));
-        return Err(error(format!("{shown} contains {free}, which varies freely")).help(format!(
-            "declare {free} under \"coordinates\", or write \"functions\": {{ \"{latex}\": \"of t\" }}"
-        )));
+        return Err(error(format!("{shown} contains {free}, and nothing says how {free} varies with time")).help(
+            format!(
+                "declare {free} under \"coordinates\", or write \"functions\": {{ {}: \"of t\" }}",
+                in_json(&latex)
+            ),
+        ));
     }
     if let Some(other) = feeds.iter().find(|id| matches!(meaning(**id), Some(Meaning::System(_)))) {
-        return Err(error(format!("{shown} contains {}, which follows from {shown}", name(*other)))
+        return Err(error(format!("{shown} contains {}, which is itself derived from {shown}", name(*other)))
             .help("write the Lagrangian in coordinates and velocities"));
     }
     let formula = Expr::new(crate::formula::Node::Symbol { id: symbol, indices: Vec::new(), dots: 0 }, printed.place);
@@ -101,7 +105,8 @@ pub(crate) fn make((claims, notes): (&Claims, &Notes), readings: &[Reading], mod
             continue;
         }
         model.inferred.push(format!(
-            "{name} is a Lagrange multiplier: ∂{shown}/∂{name} = 0 is a constraint on all motions, with the force +{name} ∂f/∂q for {shown} + {name} f"
+            "{name} is a Lagrange multiplier: with f = ∂{shown}/∂{name}, all motions obey the constraint f = 0, and \
+             its force is {name} ∂f/∂q"
         ));
     }
     Ok(())
@@ -175,7 +180,10 @@ fn forces_of_the_time(claims: &Claims, model: &mut Model) -> Result<()> {
             continue;
         }
         let shown = text::plain(&model.name(free));
-        let message = format!("a force contains {shown}, which varies freely and has a range, or several components");
+        let message = format!(
+            "a force contains {shown}, which varies with time and has a range or several components; this is not \
+             supported"
+        );
         return Err(Error::at(&claims.source, place, message).help(format!(
             "declare {shown} as \"any\", or as a function \"of t\", and put its range under \"assume\""
         )));
@@ -258,8 +266,11 @@ fn trace(model: &mut Model, symbol: SymbolId) -> Result<()> {
         (values[0], has_potential.then(|| values[1]), applied)
     })?;
     if !readable {
-        return Err(Error::new("its formula has no value as a number made of coordinates and velocities")
-            .help("write it with the declared coordinates, their dots, constants and the time"));
+        return Err(Error::new(
+            "the Lagrangian, a force or a constraint is not a number made of coordinates, velocities, constants and \
+             the time",
+        )
+        .help("use only declared coordinates, their dots, constants and the time in these formulas"));
     }
     model.constraints = constraints(model, symbol, system.multipliers())?;
     normal_frequencies::define(model)?;
@@ -285,7 +296,7 @@ fn constraints(model: &Model, lagrangian: SymbolId, multipliers: &[usize]) -> Re
         let scope = derivative::Scope { symbols: &model.symbols, fixed: &[] };
         let constraint = derivative::partial(&formula, &by, scope, place).map_err(|_| {
             let name = text::plain(&model.name(by.id));
-            Error::new(format!("the constraint that {name} multiplies cannot be derived"))
+            Error::new(format!("the constraint that {name} multiplies cannot be formed as a formula"))
                 .help("write the constraint with sums, products, powers and elementary functions")
         })?;
         all.extend(conditions(&constraint, true));

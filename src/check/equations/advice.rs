@@ -119,10 +119,10 @@ impl Checker<'_> {
         let unknown = solver.solves.as_ref()?.unknowns.first()?;
         let entry =
             format!("\"expect\": \"refuted\", \"because\": {}", in_json(&format!("an equation for {}", unknown.value)));
+        let (name, entry) = (text::plain(&unknown.value), self.entry(context.span, &entry));
         Some(format!(
-            "another display solves this equation for {}, so it is no identity; write {} in the claims file",
-            text::plain(&unknown.value),
-            self.entry(context.span, &entry)
+            "another display solves this for {name}, so it is an equation for {name} and not an identity; write \
+             {entry} in the claims file"
         ))
     }
 

@@ -117,8 +117,8 @@ impl Checker<'_> {
         }
         if self.model.system.is_none() {
             let is_said = claim.assume.iter().any(|latex| self.is_small(&latex.value)) && !self.options.deduction;
-            let message = "small oscillations need a Lagrangian, and there is none; beside laws write ≈, and say with \"small\" \
-                           what is small";
+            let message = "small oscillations need a Lagrangian, and there is none; write ≈ instead, and name the \
+                           small quantities under \"small\"";
             return Ok(match is_said {
                 true => {
                     FirstOrder::Judged(Box::new(context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message)))
@@ -136,7 +136,10 @@ impl Checker<'_> {
             }
         };
         let Some(mut places) = self.places_of(&said) else {
-            return open("this does not hold exactly, and it was not tried to first order about this place");
+            return open(
+                "this does not hold exactly, and it was not tested to first order, because the place of the small \
+                 oscillations cannot be read; write it as “small oscillations about x = 0”",
+            );
         };
         if said.is_empty() {
             places = self.places_of_distances([&link.lhs, &link.rhs].into_iter());
@@ -161,7 +164,7 @@ impl Checker<'_> {
                 Ok(FirstOrder::Fails(self.shown(&places)))
             }
             _ => open(&format!(
-                "this does not hold exactly, and it could not be tried for small motion about {}",
+                "this does not hold exactly, and it could not be tested for small motion about {}",
                 self.shown(&places)
             )),
         }

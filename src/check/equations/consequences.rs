@@ -31,7 +31,7 @@ impl Checker<'_> {
         let (display, _) =
             unread.find(|(display, _)| name_search::is_a_side(&display.text, name, &self.model.macros))?;
         Some(format!(
-            "line {} has a formula for it, but no number, so it was not read; number it with \\tag",
+            "line {} has a formula for it, but no number, so this line was not read; number it with \\tag",
             display.line
         ))
     }

@@ -124,8 +124,11 @@ impl Checker<'_> {
             if let Ok(read) = statement {
                 let name = text::plain(&symbols.entry(new.symbol).name.to_string());
                 let span = read.members.get(new.member).map_or(read.span, |member| member.span);
-                *statement = Err(Fault::new(span, format!("{name} is defined only here, so it is unknown"))
-                    .code(Code::UndeclaredName));
+                *statement = Err(Fault::new(
+                    span,
+                    format!("{name} is unknown, because neither the reference nor a corrected text defines it"),
+                )
+                .code(Code::UndeclaredName));
             }
         }
         reading

@@ -51,14 +51,15 @@ impl Checker<'_> {
                 return Ok(Some(context.finding(Code::NotALaw, Verdict::Undecided, message)));
             }
             if self.model.system.is_some() {
-                let message = "the Lagrangian or the system determines the motion, so this cannot be a law; remove it from `laws`, and it is checked";
+                let message = "the Lagrangian or the system determines the motion, so this cannot be a law; remove it \
+                               from `laws`, so that it is checked";
                 return Ok(Some(context.finding(Code::NotALaw, Verdict::Undecided, message)));
             }
         }
         if let Some(finding) = self.too_strong(&links, context)? {
             return Ok(Some(finding));
         }
-        Ok(Some(context.finding(Code::Law, Verdict::Law, format!("assumed, not checked: {}", law.title()))))
+        Ok(Some(context.finding(Code::Law, Verdict::Law, format!("taken for granted, not checked: {}", law.title()))))
     }
 
     /// The finding that no sampled state satisfies all laws, or that they allow only one value of a varying quantity.

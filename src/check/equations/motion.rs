@@ -54,7 +54,8 @@ impl Checker<'_> {
     ) -> Result<Finding> {
         let name = text::plain(&self.model.name(found.coordinate));
         if self.starts(claim) && !initial_values::holds_at_start(found, context)? {
-            let message = format!("the formula for {name} and its rate do not have the values of the start");
+            let message =
+                format!("at the start, the formula for {name} does not give the stated position and velocity");
             return Ok(context.finding(Code::SidesDiffer, Verdict::Refuted, message));
         }
         let rest = claim.assume.iter().filter(|latex| !self.is_start(latex)).cloned().collect();

@@ -124,7 +124,8 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
             if statements.iter().all(claims_nothing) {
                 let message = format!("\"claim\" needs a relation, and “{}” is a formula alone", latex.value);
                 return Err(Error::at(&checker.claims.source, latex.span, message).help(format!(
-                    "write an equation or an inequality; that it is constant is claimed by \"conserved\": {}",
+                    "write an equation or an inequality; to claim that the formula is constant, write \"conserved\": \
+                     {}",
                     in_json(&latex.value)
                 )));
             }
@@ -182,9 +183,11 @@ fn not_always(found: Finding) -> Finding {
                 ..found.replaced(Code::NotAlways, Verdict::Verified, message)
             }
         }
-        verdict if verdict.passes() => {
-            found.replaced(Code::HoldsAlways, Verdict::Refuted, "the claim holds at every sampled state")
-        }
+        verdict if verdict.passes() => found.replaced(
+            Code::HoldsAlways,
+            Verdict::Refuted,
+            "the claim holds at every sampled state, so no counterexample was found",
+        ),
         _ => found,
     }
 }
@@ -228,7 +231,7 @@ fn refers_to(
             let message = match found {
                 Some(_) => format!("({}) does not contain {words}{others}", number),
                 None => {
-                    format!("the notes have no ({}), so it does not contain {words}{others}", number)
+                    format!("the notes have no equation ({}) that could contain {words}{others}", number)
                 }
             };
             context.finding(Code::WrongReference, Verdict::Refuted, message)
@@ -393,7 +396,7 @@ fn shapes(checker: &Checker<'_>, sentence: &Sentence, property: &Property) -> Re
                     return Err(Error::at(
                         &checker.claims.source,
                         at.span,
-                        "limits at infinity are not supported here",
+                        "limits at infinity are not supported for a sentence; claim a \"limit\" of an equation instead",
                     ));
                 };
                 let target = match value.value.replace(' ', "").as_str() {

@@ -101,7 +101,10 @@ impl Checker<'_> {
         let what = if frequency.is_period { "period" } else { "frequency" };
         let found = steady::check(&square, what, &place, context)?;
         Ok(Some(found.unwrap_or_else(|| {
-            let message = format!("the {what} of small oscillations cannot be derived from the Lagrangian here");
+            let message = format!(
+                "the {what} of small oscillations cannot be derived here; this needs a printed Lagrangian without \
+                 forces or constraints, and a place where the system can stay"
+            );
             context.finding(Code::NotSupported, Verdict::Undecided, message)
         })))
     }

@@ -94,19 +94,27 @@ impl Checker<'_> {
         let address = match &solves.of {
             Solved::Equation(address) => Spanned::new(address.text.clone(), address.span),
             Solved::EquationsOfMotion(span) => {
-                let message = "solutions of the equations of motion are not supported";
+                let message = "\"solves\" does not support the equations of motion; remove it, and a formula such as \
+                               x(t) = … is checked against the motion";
                 return Err(Error::at(&self.claims.source, *span, message));
             }
         };
         let [unknown] = solves.unknowns.as_slice() else {
-            return Err(Error::at(&self.claims.source, address.span, "only one unknown is supported"));
+            return Err(Error::at(
+                &self.claims.source,
+                address.span,
+                "\"solves\" supports only one unknown; name one symbol under \"for\"",
+            ));
         };
         let targets = self.targets(&address)?;
         let symbol = self.symbol(unknown)?;
         let name = text::plain(&self.model.name(symbol));
         let branches: Vec<Expr> = statements.iter().filter_map(|s| s.members.last().cloned()).collect();
         let Some(target) = solves::equality_for(&targets, symbol, &branches, context)? else {
-            let message = format!("each equality of ({}) holds for every {name}, so nothing is solved", address.value);
+            let message = format!(
+                "({}) holds for every {name}, so there is nothing to solve; name another equation under \"solves\"",
+                address.value
+            );
             parts.push(self.part(context.finding(Code::NotDecided, Verdict::Undecided, message), name));
             return Ok(());
         };
@@ -153,7 +161,8 @@ impl Checker<'_> {
                     Verdict::Refuted => {
                         let would_hold = finding.mutant.clone().unwrap_or_default();
                         let message = format!(
-                            "\"also equals\", on the left, differs from the printed formula, on the right{would_hold}"
+                            "the formula of \"also equals\" (left side) differs from the printed formula (right \
+                             side){would_hold}"
                         );
                         Finding { message, ..finding }
                     }
@@ -259,11 +268,13 @@ impl Checker<'_> {
                 let is_nowhere = coordinates(statement).is_empty() && claim.at.is_empty();
                 let refused = if self.has_motion(statement, claimed) {
                     Some(
-                        "a position of rest has no time derivatives in it, and this has; remove \"equilibrium\", or \
-                         state it of a display that gives each coordinate a value",
+                        "\"equilibrium\" needs a display without time derivatives; remove it, or claim it for a \
+                         display that gives each coordinate a value",
                     )
                 } else {
-                    is_nowhere.then_some("this gives no coordinate a value; say under \"at\" where each coordinate is")
+                    is_nowhere.then_some(
+                        "this display gives no coordinate a value; say under \"at\" where each coordinate is",
+                    )
                 };
                 let finding = match (refused, known) {
                     (Some(message), _) => context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message),
@@ -295,8 +306,7 @@ impl Checker<'_> {
         if finding.verdict != Verdict::Refuted || !identity::check(printed, &context.quick())?.verdict.holds() {
             return Ok(finding);
         }
-        let message = "the two sides are equal as they are printed, and differ with the terms of \"dropping\" on the right \
-                       side; remove \"dropping\"";
+        let message = "the two printed sides are equal without the terms of \"dropping\"; remove \"dropping\"";
         Ok(context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message))
     }
 

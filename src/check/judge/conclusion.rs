@@ -63,8 +63,8 @@ pub(crate) fn conclude(
         let counts = (outcome.points, ensemble.tried);
         let message = match [&link.lhs, &link.rhs].iter().any(|side| has_quadrature(side, context.model)) {
             true => format!(
-                "only {} of {} sampled states gave a number; at the others an integral could not be computed, which may have \
-                 no finite value",
+                "only {} of {} sampled states gave a number; at the others an integral could not be computed, perhaps \
+                 because it diverges",
                 counts.0, counts.1
             ),
             false => {

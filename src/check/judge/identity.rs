@@ -146,7 +146,7 @@ fn where_positive(link: &Link, name: &Expr, context: &Context<'_>, on_shell: boo
     hypotheses.push(Hypothesis::of(positive, false));
     let (found, _) = check_in(link, &Context { hypotheses: &hypotheses, ..*context }, on_shell)?;
     let name = text::formula(name, &context.model.symbols);
-    let message = format!("holds where {name} > 0; else the other sign of a root is meant");
+    let message = format!("holds where {name} > 0; where {name} < 0, the other sign of a root is meant");
     Ok(found.verdict.holds().then_some(Finding { message, ..found }))
 }
 
@@ -259,7 +259,7 @@ fn inequality_that_holds(
     ensemble: &Ensemble<'_>,
     finding: Finding,
 ) -> Result<Finding> {
-    let reason = "an inequality, which has no meaning modulo a prime".to_owned();
+    let reason = "an inequality, because only an equality can have a certificate".to_owned();
     let finding = Finding { not_certified_because: Some(reason), ..finding };
     let finding = family_sizes::at_other_sizes(link, context, ensemble.mode, finding)?;
     let finding = worst_state::at_worst_state(link, context, ensemble, finding);

@@ -207,7 +207,7 @@ impl Slips<'_> {
                     slips.push((
                         Node::Quotient(b.clone(), a.clone()),
                         Slip::Structure,
-                        format!("“{}” upside down", self.words(expr)),
+                        format!("“{}” inverted", self.words(expr)),
                     ));
                 }
             }
@@ -313,7 +313,7 @@ impl Slips<'_> {
                 let mut swapped = factors.to_vec();
                 swapped.swap(at - 1, at);
                 let words = self.words(&factors[at]);
-                slips.push((Node::Product(swapped), Slip::Order, format!("“{words}” one place earlier")));
+                slips.push((Node::Product(swapped), Slip::Order, format!("“{words}” moved one place to the left")));
             }
         }
     }
@@ -364,10 +364,10 @@ impl Slips<'_> {
         let symbol = |id, indices: &[Index], dots| Node::Symbol { id, indices: indices.to_vec(), dots };
         let name = text::with_dots(&entry.name.to_string(), dots);
         if dots > 0 {
-            slips.push((symbol(id, indices, dots - 1), Slip::Dot, format!("a dot fewer on {name}")));
+            slips.push((symbol(id, indices, dots - 1), Slip::Dot, format!("one dot fewer on {name}")));
         }
         if entry.varies {
-            slips.push((symbol(id, indices, dots + 1), Slip::Dot, format!("a dot more on {name}")));
+            slips.push((symbol(id, indices, dots + 1), Slip::Dot, format!("one dot more on {name}")));
         }
         if let [i, j] = indices
             && i != j

@@ -108,14 +108,14 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     if finding.code == Code::TooFewStates {
         let has_letters = [&link.lhs, &link.rhs].iter().any(|side| !side.symbols().is_empty());
         finding.message = match has_letters {
-            false => "a formula has no real value: no denominator may be 0, and no root, power or logarithm be that of a negative \
-                      number; an odd root is written \\sqrt[3]{x}"
+            false => "a formula has no real value; look for a division by 0, and for a root, power or logarithm of a \
+                      negative number; write an odd root as \\sqrt[3]{x}"
                 .to_owned(),
             true => format!(
-            "only {} of {} sampled states gave a real number; give the letters ranges in which both formulas have a \
-             value, as --where 'x=0.1..3' does",
-            finding.points, finding.tried
-        ),
+                "only {} of {} sampled states gave a real number; give the letters ranges in which both formulas have \
+                 a value, as --where 'x=0.1..3' does",
+                finding.points, finding.tried
+            ),
         };
     }
     Ok(Comparison { finding, readings, assumed })
@@ -175,7 +175,7 @@ fn two_sides(text: &str, macros: &Macros) -> Option<Fault> {
     let (left, right) = (side(0)?, side(1)?);
     let advice = two_arguments(left, right);
     Some(fault.code(Code::NotSupported).help(match relation {
-        Relation::Approximately => format!("{advice}; that they are nearly equal can be claimed in a claims file only"),
+        Relation::Approximately => format!("{advice}; ≈ can be checked only with a claims file"),
         _ => advice,
     }))
 }

@@ -33,7 +33,8 @@ fn judged(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
         return Ok(context.finding(
             Code::NoMotion,
             Verdict::Undecided,
-            "nothing determines the motion; name a \"system\" or \"laws\" in the claims file",
+            "nothing determines the motion; name a \"system\" or \"laws\", or say which name is the Lagrangian: \
+             \"means\": { \"L\": \"Lagrangian\" }",
         ));
     }
     if let Some(finding) = context.unclear(&[expr]) {
@@ -63,7 +64,7 @@ fn judged(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
             return Ok(context.finding(
                 Code::AlwaysConstant,
                 Verdict::Undecided,
-                "this is constant for any motion, so the claim tests nothing",
+                "this is constant for any motion, so the claim tests nothing; correct the formula, or remove the claim",
             ));
         }
         Ok(_) => {}
@@ -81,7 +82,7 @@ fn judged(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
         run(&link, &ensemble.states).is_ok_and(|outcome| outcome.failure.is_none())
     };
     if !has_motion && expr.symbols().iter().all(rests) {
-        let message = "the hypotheses hold only at rest, where anything is constant";
+        let message = "the hypotheses hold only at rest, where anything is constant; correct the hypotheses";
         return Ok(context.finding(Code::NoMotion, Verdict::Undecided, message));
     }
     let states = AtStates::new(&link, &ensemble.states);

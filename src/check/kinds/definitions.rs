@@ -239,7 +239,7 @@ impl<'f> Tested<'f> {
             except.extend((self.surviving.len() < sized).then_some("its factor"));
             let moved = self.surviving.len();
             self.surviving.retain(|(mutant, _)| *mutant != with_rates(formula, context.model));
-            except.extend((self.surviving.len() < moved).then_some("a dot more on its coordinates"));
+            except.extend((self.surviving.len() < moved).then_some("one dot more on its coordinates"));
         }
         Ok(except)
     }

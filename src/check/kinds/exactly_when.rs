@@ -69,7 +69,7 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
             (Some(claim), Some(_)) => {
                 let relation = text_of(link, context);
                 let message = match claim {
-                    true => format!("“{relation}” holds at this state, but none of the conditions does"),
+                    true => format!("“{relation}” holds at this state, but none of the conditions holds"),
                     false => format!("“{relation}” fails at this state, but the conditions hold"),
                 };
                 let side = |expr| match evaluate(expr, state, &[]) {
@@ -109,7 +109,10 @@ pub fn check(link: &Link, alternatives: &[Vec<Hypothesis>], context: &Context<'_
         return Ok(context.finding(Code::ForcedValue, Verdict::Undecided, forced_value::message(symbol, context)));
     }
     if let Some(at) = met_at.iter().position(|count| *count == 0) {
-        let message = format!("no sampled state satisfies alternative {}; remove it, or widen the ranges", at + 1);
+        let message = format!(
+            "no sampled state satisfies alternative {} of \"true exactly when\"; remove it, or widen the ranges",
+            at + 1
+        );
         return Ok(context.finding(Code::TooFewStates, Verdict::Undecided, message));
     }
     let message = format!("holds at the {both} states that satisfy the conditions, and fails at the {neither} others");

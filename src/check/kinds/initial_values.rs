@@ -44,15 +44,15 @@ pub(crate) fn check(link: &Link, context: &Context<'_>) -> Result<Finding> {
     if rests && on_energy != Some(true) {
         let in_general = Context { hypotheses: &[], on_shell: Some(true), ..context.quick() };
         if !identity::check(link, &in_general)?.verdict.holds() {
-            let message = "a motion that starts like this stays where it is, so any relation that holds there would hold along \
-                           it, and this was not decided; say where it starts otherwise";
+            let message = "the system stays at rest from this start, so any relation that holds at the start would \
+                           pass; give initial values from which it moves";
             return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
         }
     }
     if on_energy == Some(false) && !has_a_branch(link) {
         let message = format!(
-            "the two sides and their first {DERIVATIVES} derivatives agree where the motion starts, but this does not hold for \
-             each motion with the energy of this start, so it was not decided"
+            "at the start, the two sides and their first {DERIVATIVES} derivatives agree; but this fails for other \
+             motions with the same energy, so it was not decided"
         );
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
@@ -68,8 +68,8 @@ fn by_the_energy_alone(link: &Link, context: &Context<'_>) -> Result<Option<Find
     let Some(found) = energy_of_start::check(link, context)? else { return Ok(None) };
     Ok(match found.verdict {
         verdict if verdict.holds() => {
-            let message = "holds for each motion with the energy of this start";
-            let why = "the energy of the start, in place of the start itself";
+            let message = "holds for every motion with the energy of this start";
+            let why = "the start itself, because only its energy was used";
             Some(Finding { points: found.points, tried: found.tried, ..context.verified(message, why) })
         }
         Verdict::Refuted => {
@@ -192,7 +192,7 @@ fn where_it_starts(link: &Link, context: &Context<'_>) -> Result<Finding> {
         (points, compared) = (points.min(found.points), times);
     }
     if compared < 2 {
-        let message = "too few derivatives could be compared where the motion starts";
+        let message = "at the start, too few derivatives could be compared, so this was not decided";
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     let message = format!(

@@ -258,7 +258,8 @@ fn check_in(
         if as_near {
             let way_out = match towards {
                 Towards::Number(_) => {
-                    "this limit does not test it: write \"small\" in place of \"limit\", or widen the ranges"
+                    "the limit alone does not show the difference: write \"small\" in place of \"limit\", or widen \
+                     the ranges"
                 }
                 _ => "widen the ranges",
             };

@@ -74,8 +74,8 @@ pub(crate) fn of(link: &Link, is_inferred: bool, model: &Model) -> Read {
     match found {
         Some((small, order)) => Read::Series(Series { link: cut, small, order }),
         None => Read::Unclear(
-            "terms are left out here, and their order is unknown, because no symbol has a power that grows from each \
-             printed term to the next; say under \"small\" in the claims file which quantity is small"
+            "the order of the terms that are left out is unknown, because no symbol has a power that grows from term \
+             to term; name the small quantity under \"small\" in the claims file"
                 .to_owned(),
         ),
     }

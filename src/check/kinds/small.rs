@@ -173,7 +173,7 @@ fn with_small_rates(
     }
     let rates: Vec<String> = rates.iter().map(|rate| text::formula(rate, &context.model.symbols)).collect();
     Ok(Finding {
-        message: format!("{}; small with the coordinates are {}", moving.message, rates.join(", ")),
+        message: format!("{}; with the coordinates, {} are taken to be small", moving.message, rates.join(", ")),
         ..moving
     })
 }
@@ -224,7 +224,7 @@ fn scaled(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Res
     if slowest < wanted {
         let (below, above) = (slowest.floor(), slowest.floor() + 1.0);
         let way_out = match below >= 1.0 {
-            true => format!("claim \"order\": {:.0}, or correct the term", below - 1.0),
+            true => format!("write \"order\": {:.0}, or correct the term", below - 1.0),
             false => "correct the term".to_owned(),
         };
         let message = format!(

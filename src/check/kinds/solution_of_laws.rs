@@ -51,17 +51,17 @@ pub(crate) fn by_substitution(
             format!("{} = {}", side(&link.lhs), side(&link.rhs))
         };
         match found.verdict {
-            Verdict::Refuted => found.message = format!("with it {} fails", printed()),
+            Verdict::Refuted => found.message = format!("{} fails for this formula", printed()),
             // Where the formula has no value, it prints no solution.
             Verdict::Domain => {
                 let points = found.points;
-                found = context.verified(String::new(), "the formula has no value at some states");
+                found = context.verified(String::new(), "a formula that has no value at some states");
                 (found.points, found.tried) = (points, points);
             }
             // What moves without acceleration makes both sides 0.
             Verdict::Undecided if found.code == Code::SideAlwaysZero => {
                 let points = found.points;
-                found = context.verified(String::new(), "both sides of the law are 0");
+                found = context.verified(String::new(), "a law whose sides are both 0");
                 (found.points, found.tried) = (points, points);
             }
             _ => {}

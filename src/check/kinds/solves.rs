@@ -109,8 +109,8 @@ fn judged(
     if is_rated {
         let name = context.model.name(unknown);
         let way_out = match context.model.has_motion() {
-            true => format!("a formula for {name} is checked against the motion without \"solves\""),
-            false => "put the equation under \"laws\"".to_owned(),
+            true => format!("remove \"solves\", and a formula for {name} is checked against the motion"),
+            false => "put the equation under \"laws\", and remove \"solves\"".to_owned(),
         };
         let message = format!(
             "the equation contains a time derivative of {name}, and \"solves\" is for equations without one; {way_out}"
@@ -148,8 +148,9 @@ fn judged(
         return Ok(context.finding(Code::TooFewStates, Verdict::Undecided, message));
     }
     if 2 * counted < points {
-        let message =
-            format!("the roots on the grid are the given ones at only {counted} of {points} states; narrow the ranges");
+        let message = format!(
+            "a search on a grid found exactly the given roots at only {counted} of {points} states; narrow the ranges"
+        );
         return Ok(context.finding(Code::NotDecided, Verdict::Undecided, message));
     }
     // A mutant of one branch may be the other branch, so only all branches together are tested with mutants.
@@ -226,7 +227,7 @@ fn at_state(
     }
     for (i, a) in roots.iter().enumerate() {
         if roots[..i].iter().any(|b| residual::vanishes(*a - *b)) {
-            let message = "two branches are the same solution";
+            let message = "two of the given solutions are the same";
             return decided(context.finding(Code::RepeatedSolution, Verdict::Refuted, message));
         }
     }

@@ -153,7 +153,10 @@ impl Builder<'_> {
         entry.angle = is_angle(&range);
         entry.varies = varies;
         if declaration.role == Role::Coordinate && !entry.slots.is_empty() {
-            return Err(self.error(latex, "families of coordinates are not supported"));
+            return Err(self.error(
+                latex,
+                "families of coordinates are not supported; declare each coordinate by itself, such as x_1 and x_2",
+            ));
         }
         let variable = Variable { symbol: id, range, numbers: self.members(id) * kind.numbers() };
         match declaration.role {

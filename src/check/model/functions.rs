@@ -82,7 +82,7 @@ impl Builder<'_> {
                 declaration.range.span,
                 "a function of more than three names is not supported",
             )
-            .help("declare the function of those that matter, and treat the others as constants")
+            .help("declare it as a function of at most three names; the other names may be constants")
         })?;
         let mut variables = Vec::new();
         for argument in arguments {
@@ -91,8 +91,12 @@ impl Builder<'_> {
             let (id, indices) = self.model.symbols.find(&name).ok_or_else(|| self.undeclared(&place))?;
             let entry = self.model.symbols.entry(id);
             if entry.kind != Kind::Scalar || !entry.arguments.is_empty() {
-                return Err(Error::at(&self.claims.source, declaration.range.span, format!("{name} is not a number"))
-                    .help("the arguments of a function are coordinates, constants, the time, or what varies with it"));
+                return Err(Error::at(
+                    &self.claims.source,
+                    declaration.range.span,
+                    format!("the argument {name} is not a number"),
+                )
+                .help("the arguments of a function are coordinates, constants, the time, or what varies with it"));
             }
             variables.push(Variable { id, indices, dots: 0 });
         }

@@ -58,7 +58,10 @@ pub(crate) fn too_many(model: &Model, claimed: &[&Expr], premises: &[&Expr], mot
         laws.flat_map(|law| [&law.lhs, &law.rhs]).for_each(|formula| count.of(formula, most));
     }
     if let Some(function) = count.unclear {
-        return Some(format!("it is not clear at which places {} is taken here", shown(function)));
+        return Some(format!(
+            "it is not clear which arguments the function {} has here, so this was not decided",
+            shown(function)
+        ));
     }
     count.functions.iter().find_map(Values::too_many)
 }
@@ -77,7 +80,8 @@ impl Values<'_> {
         let needed: u32 = self.places.iter().map(|(_, [_, most], times)| (most + 1 - least) * times).sum();
         (needed > free).then(|| {
             format!(
-                "{} has {needed} independent values here, and at most {free} can be tested; claim this of fewer places",
+                "the function {} has {needed} independent values and derivatives here, and at most {free} can be \
+                 tested; use it at fewer places",
                 shown(self.function)
             )
         })

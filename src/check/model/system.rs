@@ -59,8 +59,10 @@ impl Builder<'_> {
                 let place = self.claims.declarations.iter().find(|d| plain(&d.name.value) == plain(&name));
                 let span = place.map_or(reference.name.span, |d| d.name.span);
                 let message = format!("{name} is not a coordinate of \"{}\"", system.name());
-                return Err(Error::at(&self.claims.source, span, message)
-                    .help("declare it under \"constants\" or \"varies with time\", or map it with \"read\""));
+                return Err(Error::at(&self.claims.source, span, message).help(format!(
+                    "the system already has all its coordinates; declare {name} under \"constants\" or \"varies with \
+                     time\""
+                )));
             }
         }
         for (place, variable) in coordinates.iter().enumerate() {

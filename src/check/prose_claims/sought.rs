@@ -28,8 +28,8 @@ pub(super) fn leave_open(names: &NotesNames<'_>, is_claimed: impl Fn(usize) -> b
         finding.verdict = Verdict::Undecided;
         finding.code = Code::EquationForUnknown;
         finding.message =
-            "the text before asks for a solution of this equation, so it was not tested as an identity; name the unknown with \
-             \"solves\" and \"for\", or say with \"where\" when it holds"
+            "the text before asks for a solution of this equation, so it was not tested as an identity; say with \
+             \"assume\" or \"where\" when it holds, or claim \"secular equation for\""
                 .to_owned();
         finding.counterexample = None;
         finding.difference = None;

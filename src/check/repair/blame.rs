@@ -125,7 +125,9 @@ impl Checker<'_> {
             let excuse = |finding: &mut Finding, ok: &mut bool| {
                 if !*ok {
                     *ok = true;
-                    finding.message.push_str(&format!("; ({root}) tests it once ({root}) is corrected"));
+                    finding
+                        .message
+                        .push_str(&format!("; ({root}) will test this definition once ({root}) is corrected"));
                     finding.follows_from = Some(Inherited { from: root.clone(), root: root.clone() });
                 }
             };
@@ -146,11 +148,14 @@ impl Checker<'_> {
         if blamed.ok || is_open {
             let message = match others {
                 [] => format!(
-                    "({first}) contradicts this; an edit of this display corrects ({first}), and no edit of ({first}) does"
+                    "({first}) contradicts this; one edit of this display makes ({first}) follow, and no edit of \
+                     ({first}) does"
                 ),
-                [other] => format!("({first}) and ({other}) contradict this, and one edit of it corrects that"),
+                [other] => {
+                    format!("({first}) and ({other}) contradict this; one edit of this display makes them follow")
+                }
                 _ => format!(
-                    "({first}) and {} other displays contradict this, and one edit of it corrects that",
+                    "({first}) and {} other displays contradict this; one edit of this display makes them follow",
                     others.len()
                 ),
             };

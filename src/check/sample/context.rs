@@ -24,7 +24,8 @@ use crate::check::verdict::finding::Finding;
 const DEDUCTION: usize = 40_000;
 
 /// The reason why a claim that is no equality is not certified.
-pub(crate) const NO_EQUALITY: &str = "its kind: only an equality of two formulas can have a certificate";
+pub(crate) const NO_EQUALITY: &str = "this kind of claim, because only an equality of two formulas can have a \
+                                      certificate";
 
 /// The options of a check.
 ///

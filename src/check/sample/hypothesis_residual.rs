@@ -56,6 +56,6 @@ fn apart<D: Number>((lhs, rhs): (Value<D>, Value<D>), hypothesis: &Hypothesis) -
             a.entries()
         }
         (a, _) if hypothesis.rhs.is_zero() => a.entries(),
-        _ => return Err(Unavailable::Operation("a hypothesis between different shapes")),
+        _ => return Err(Unavailable::Operation("a hypothesis whose sides have different shapes")),
     })
 }

@@ -68,7 +68,9 @@ fn impossible_motion(hypothesis: &Hypothesis, projection: &Projection<'_>) -> Op
     let is_of_the_lagrangian = model.laws.iter().any(|law| law.derived && law.hypotheses.contains(hypothesis));
     (is_of_the_lagrangian && all.iter().all(|(id, _)| is_constant(*id))).then(|| {
         let equation = shown(hypothesis, projection);
-        format!("the equations of motion: they contain {equation}, which no motion can change; correct the Lagrangian")
+        format!(
+            "the equations of motion: they contain {equation}, which is false for every motion; correct the Lagrangian"
+        )
     })
 }
 

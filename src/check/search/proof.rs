@@ -91,7 +91,7 @@ pub(crate) fn by_subdivision(link: &Link, context: &Context<'_>, ensemble: &Ense
             ..context.finding(
                 Code::InequalityFails,
                 Verdict::Refuted,
-                format!("“{}” fails at a narrow place, which a search found", link.relation.glyph()),
+                format!("“{}” is false in a narrow range of values, which a search found", link.relation.glyph()),
             )
         },
         None => open(finding),

@@ -131,7 +131,7 @@ pub(crate) fn at_worst_state(link: &Link, context: &Context<'_>, ensemble: &Ense
                 ..context.finding(
                     Code::InequalityFails,
                     Verdict::Refuted,
-                    format!("“{glyph}” fails{place} at the state with the smallest margin"),
+                    format!("“{glyph}” is false{place} at a state that a search found"),
                 )
             };
         }

@@ -70,7 +70,7 @@ pub(crate) fn with_text(notes: &Notes, text: String) -> Result<Notes> {
     let mut edited = Notes::parse(Arc::new(Source::new(path.clone(), text)), kind)?;
     // A hand-in and its problem together are no file: read as one, they have other displays.
     if edited.equations.len() != notes.equations.len() {
-        return Err(Error::new(format!("with this edit {path} has other displays")));
+        return Err(Error::new(format!("with this edit, {path} has more or fewer displays")));
     }
     for (display, before) in edited.equations.iter_mut().zip(&notes.equations) {
         if let (None, Some(name)) = (display.id(), before.id()) {

@@ -308,7 +308,7 @@ fn refuted(checker: &Checker<'_>, conflict: &Conflict, before: &Equation) -> Equ
     let start = checker.notes.equations[conflict.at].body.start;
     let shown: Vec<String> = conflict.names.iter().map(|id| text::plain(&checker.model.name(*id))).collect();
     let consequence = match shown.as_slice() {
-        [] => "by the other displays, its terms have different dimensions".to_owned(),
+        [] => "the terms of this display have different dimensions, as the other displays show".to_owned(),
         [name] => format!("this display would make {name} dimensionless, but the other displays give it a dimension"),
         [names @ .., last] => format!(
             "this display would make {} and {last} dimensionless, but the other displays give them a dimension",

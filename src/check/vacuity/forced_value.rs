@@ -54,14 +54,14 @@ pub(crate) fn message(symbol: SymbolId, context: &Context<'_>) -> String {
     let laws = &context.model.laws;
     if laws.len() > 1 && context.hypotheses.is_empty() {
         return format!(
-            "{} together leave {name} one value, and a test at one value shows too little; the laws may contradict each other: \
-             correct one of them",
+            "{} together allow only one value of {name}, and a test at one value shows too little; the laws may \
+             contradict each other: correct one of them",
             Law::phrases(laws)
         );
     }
     format!(
-        "the hypotheses together leave {name} one value, and a test at one value shows too little; remove a hypothesis, \
-         or state the value directly"
+        "the hypotheses together allow only one value of {name}, and a test at one value shows too little; remove a \
+         hypothesis, or write the value of {name} as a hypothesis"
     )
 }
 

@@ -20,17 +20,15 @@ pub(crate) enum Job {
 pub(crate) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
     if path.is_dir() {
         if !claims.is_empty() {
-            return Err(Error::new(format!("--claims does not work with a folder, and {} is one", path.display()))
-                .help(
-                    "name the notes, or leave out --claims: the documents of a folder have their claims beside them",
-                ));
+            return Err(Error::new(format!("--claims cannot be used with the folder {}", path.display()))
+                .help("name the notes, or leave out --claims; then the claims file beside each document is used"));
         }
         let mut jobs = Vec::new();
         folder(path, &mut jobs)?;
         without_parts(&mut jobs);
         if jobs.is_empty() {
             return Err(Error::new(format!("there is nothing to check in {}", path.display())).help(
-                "notes are .md, .tex and other files; a claims file (.json) of the same name beside them is used",
+                "notes are .md, .tex and other files; a claims file beside them has the same name and ends in .json",
             ));
         }
         return Ok(jobs);
@@ -48,7 +46,7 @@ pub(crate) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
     if let Some(absent) = claims.iter().find(|claims| !claims.exists()) {
         return Err(Error::new(format!("there is no claims file {}", absent.display()))
             .with_code(Code::NoClaimsFile)
-            .help("correct its name, or leave out --claims: then the notes are checked without a claims file"));
+            .help("correct the name after --claims, or leave out --claims to check the notes without a claims file"));
     }
     Ok(vec![Job::Pair { notes: path.to_owned(), claims }])
 }
@@ -147,12 +145,12 @@ pub(crate) fn load(job: &Job) -> Result<Loaded> {
                 return Ok(Loaded::Own(Box::new(claims), notes));
             }
             let message = format!(
-                "{} claims files are given, and {} already belongs to {}",
+                "{} claims files are given, but {} is the claims file of {}",
                 files.len(),
                 shown(file),
                 shown(path)
             );
-            return Err(Error::new(message).help(format!("use only {}", shown(file))));
+            return Err(Error::new(message).help(format!("give only {}", shown(file))));
         }
         sets.push((claims, notes_at(&own)?));
     }
@@ -185,7 +183,7 @@ pub(crate) fn equations_of<'n>(notes: impl Iterator<Item = &'n Notes>) -> String
         .map(|id| format!("({id})"))
         .collect();
     match ids.as_slice() {
-        [] => "no display of the notes has a number or a label; give it one, as in \\tag{1}".to_owned(),
+        [] => "no display in the notes has a number or a label; give the display a number, as in \\tag{1}".to_owned(),
         all if all.len() <= MOST => format!("the notes have {}", all.join(", ")),
         [first, .., last] => format!("the notes have {} equations, from {first} to {last}", ids.len()),
         [only] => format!("the notes have {only}"),

@@ -17,7 +17,8 @@ pub(crate) fn replace(path: &Path, before: &[u8], after: &[u8]) -> Result<()> {
     let shown = path.display();
     let failed = |error: std::io::Error| {
         Error::new(format!("cannot change {shown}: {error}")).help(
-            "the file is as it was; make room, or make the file and its folder writable, and run the command again",
+            "the file was not changed; make it and its folder writable, or free space on the disk, and run the \
+             command again",
         )
     };
     // Where a link leads: the file there is replaced, and not the link.

@@ -14,7 +14,8 @@ use crate::cli::values;
 
 /// Draws a system as SVG: its motion, its effective potential, the axis of a top
 ///
-/// A system starts with parameters that are 1; --set gives them, coordinates and rates other values.
+/// All parameters are 1, and those of a free body 1, 2 and 3, unless --set gives others. --set also gives the
+/// coordinates and rates at the start.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  onshell plot kepler > orbit.svg\n  onshell plot heavy_top --as axis --set '\\dot\\psi=5' > axis.svg"

@@ -34,7 +34,8 @@ impl<'r> Subject<'r> {
                     .help("write a display L = …, and \"means\": { \"L\": \"Lagrangian\" } in its claims file")
             }),
             None if path.extension().is_some() || path.components().count() > 1 => {
-                Err(Error::new(format!("there are no notes {name}")).help("name notes that are there, or a system"))
+                Err(Error::new(format!("there is no file {name}"))
+                    .help("name notes that exist, or a system such as heavy_top"))
             }
             None => Err(unknown(name, registry)),
         }

@@ -282,7 +282,7 @@ impl<'a> UnitCheck<'a> {
         let (a, b) = (&pool[culprit.min(partner)], &pool[culprit.max(partner)]);
         let verb = match why {
             Pool::Entries => "be entries of one matrix",
-            Pool::Cases => "be compared, or stand in one list of cases",
+            Pool::Cases => "stand in one condition, one list of cases or one pair of limits",
             Pool::Members(relations) if a.member != b.member => match a.whole && b.whole {
                 true if relations[a.member..b.member].iter().all(|(relation, _)| is_equality(*relation)) => "be equal",
                 true => "be compared",

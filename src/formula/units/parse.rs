@@ -174,7 +174,9 @@ impl<'a> Parser<'a> {
             }
             Some(c) => {
                 let span = Span::new(self.at, self.at + c.len_utf8());
-                return Err(invalid(span, format!("{c} is not allowed in a unit")).help("write it as in kg m^2/s^2"));
+                return Err(
+                    invalid(span, format!("{c} is not allowed in a unit")).help("write a unit as in kg m^2/s^2")
+                );
             }
             None => return Err(self.fault(self.at, "a unit is missing").help("as in 1/s")),
         };

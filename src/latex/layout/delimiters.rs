@@ -95,7 +95,7 @@ pub(super) fn unclosed(span: Span, open: &str) -> Fault {
         "\\lvert" => "\\rvert",
         "\\|" => "\\|",
         "\\langle" => "\\rangle",
-        "\\left" => "\\right and its delimiter",
+        "\\left" => "\\right and a bracket, as in \\right),",
         _ => return Fault::new(span, format!("this {open} is never closed")),
     };
     Fault::new(span, format!("this {open} is never closed")).help(format!("add {close} where it ends"))
@@ -114,7 +114,7 @@ pub(super) fn without_argument(command: Option<&Token>, span: Span) -> Fault {
             Fault::new(span, "\\frac needs a numerator and a denominator").help("write \\frac{a}{b}")
         }
         Some(TokenKind::Command(name)) => {
-            Fault::new(span, format!("{name} needs something after it")).help(format!("write {name}{{…}}"))
+            Fault::new(span, format!("{name} needs an argument")).help(format!("write {name}{{…}}"))
         }
         _ => Fault::new(span, "an argument is missing here"),
     }

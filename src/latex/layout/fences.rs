@@ -11,7 +11,7 @@ impl Parser<'_> {
     /// What stands between `\left` and `\right`.
     pub(super) fn left(&mut self, span: Span) -> Item {
         let Some(token) = self.next() else {
-            return fault(span, "\\left needs a delimiter");
+            return fault(span, "\\left needs a bracket or a point after it, as in \\left( or \\left.");
         };
         let opening = opening(token);
         let outer = std::mem::replace(&mut self.angles, usize::from(opening == Some(Delimiter::Angle)));
@@ -22,7 +22,7 @@ impl Parser<'_> {
             _ => return self.unclosed(span, "\\left", items),
         };
         let Some(close) = self.next() else {
-            return fault(span, "the \\right of this \\left needs a delimiter");
+            return fault(span, "\\right needs a bracket or a point after it, as in \\right) or \\right.");
         };
         let whole = span.to(close.span);
         // A brace before rows alone is `cases`.
@@ -63,7 +63,10 @@ impl Parser<'_> {
             {
                 Item { layout: Layout::Group(items), span: whole }
             }
-            _ => of_fault(Fault::unsupported(whole, "this pair of delimiters of \\left and \\right is not supported")),
+            _ => of_fault(
+                Fault::unsupported(whole, "\\left and \\right with these two brackets are not supported")
+                    .help("write brackets of one kind, as in \\left( and \\right)"),
+            ),
         }
     }
 }

@@ -185,9 +185,9 @@ impl<'a> Parser<'a> {
             TokenKind::Other('|') if is_lone_bar(&self.tokens[self.at..]) => Layout::Other('|'),
             TokenKind::Other('|') => return self.fence(Delimiter::PlainBar, span),
             TokenKind::Other(c) => Layout::Other(*c),
-            TokenKind::Parameter(n) => return fault(span, format!("#{n} is allowed in a macro only")),
+            TokenKind::Parameter(n) => return fault(span, format!("#{n} can stand only in the definition of a macro")),
             TokenKind::Close | TokenKind::Sub | TokenKind::Super | TokenKind::Prime => {
-                return fault(span, "this is not allowed here");
+                return fault(span, "a closing brace, a subscript, a superscript or a prime cannot stand here");
             }
         };
         Item { layout, span }
@@ -453,11 +453,16 @@ impl<'a> Parser<'a> {
                 TokenKind::Command(command) if command == "\\end" => {
                     let closed = letters(&self.argument(token.span));
                     if closed != name {
-                        return fault(token.span, format!("\\end{{{closed}}} does not close \\begin{{{name}}}"));
+                        return fault(token.span, format!("\\end{{{closed}}} does not match \\begin{{{name}}}"));
                     }
                     break;
                 }
-                _ => return fault(token.span, format!("this is not allowed inside {name}")),
+                _ => {
+                    return fault(
+                        token.span,
+                        format!("this bracket or command closes nothing inside of \\begin{{{name}}}"),
+                    );
+                }
             }
         }
         if rows.len() > 1 && rows.last().is_some_and(|row| row.iter().all(Vec::is_empty)) {

@@ -77,7 +77,7 @@ impl Parser<'_> {
                     match (touches, &sign.kind) {
                         (false, TokenKind::Other(c)) => Item { layout: Layout::Other(*c), span: sign.span },
                         _ => of_fault(
-                            Fault::ambiguous(sign.span, "this superscript is only a sign")
+                            Fault::ambiguous(sign.span, "only the sign after the ^ is raised here")
                                 .help("put the whole superscript in braces, as in x^{-1}"),
                         ),
                     }

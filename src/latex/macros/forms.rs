@@ -134,7 +134,9 @@ impl Form<'_> {
 
     fn needed(&self, pending: &mut Vec<Token>) -> Result<Vec<Token>, Fault> {
         argument(pending).ok_or_else(|| {
-            Fault::new(self.span, format!("\\{} lacks an argument", self.name)).code(Code::UnknownCommand)
+            Fault::new(self.span, format!("an argument of \\{} is missing", self.name))
+                .code(Code::UnknownCommand)
+                .help("write each argument in braces, and close them")
         })
     }
 

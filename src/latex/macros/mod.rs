@@ -142,10 +142,10 @@ impl Macros {
             if produced > LARGEST_EXPANSION {
                 return Err(Fault::new(
                     token.span,
-                    format!("the macro {name} expands without end, or to too many tokens"),
+                    format!("the macro {name} expands without end, or to too long a text"),
                 )
                 .code(Code::UnknownCommand)
-                .help("a macro must not call itself"));
+                .help("correct its definition: a macro cannot use itself"));
             }
             pending.extend(expansion.into_iter().rev());
         }

@@ -16,7 +16,9 @@ pub(super) const NAMES: [&str; 3] = ["\\SI", "\\si", "\\unit"];
 pub(super) const LISTS: [&str; 6] = ["\\qtyrange", "\\SIrange", "\\numlist", "\\SIlist", "\\qtylist", "\\numrange"];
 
 fn lacks_argument(name: &str, span: Span) -> Fault {
-    Fault::new(span, format!("an argument of {name} is missing")).code(Code::UnknownCommand)
+    Fault::new(span, format!("an argument of {name} is missing"))
+        .code(Code::UnknownCommand)
+        .help("write each argument in braces, and close them")
 }
 
 fn with_place(text: &str, span: Span) -> impl Iterator<Item = Token> {

@@ -36,8 +36,11 @@ pub(super) fn unclear_continuation(
     let is_own = is_zero(before) || before.row > 1 && starts_with_minus(before);
     if first.layout == Layout::Other('-') && has_relation && !row.is_indented && !row.is_aligned && !is_own {
         return Some(
-            Fault::ambiguous(first.span, "this row may continue the row before or be an equation of its own")
-                .help("put & before the relation of each row, or write each equation in a display of its own"),
+            Fault::ambiguous(
+                first.span,
+                "a row that starts with − may continue the row before, or be an equation of its own",
+            )
+            .help("put & before the = of each row, or write each equation in a display of its own"),
         );
     }
     let of_row = || pieces.iter().filter(|piece| piece.row == before.row);
@@ -46,13 +49,16 @@ pub(super) fn unclear_continuation(
     let is_inserted = before.is_inserted && of_row().next().is_some_and(|first| first.links.len() > 1);
     if several && (!is_abstract || is_inserted) && (starts_with_relation || continues(row, Some(before))) {
         return Some(
-            Fault::ambiguous(first.span, "this row may continue any statement of the row before")
-                .help("write the statements of that row on rows of their own"),
+            Fault::ambiguous(
+                first.span,
+                "the row before has several statements, and this row may continue any of them",
+            )
+            .help("write each of these statements on a row of its own"),
         );
     }
     (row.follows_stop && !starts_with_relation && is_sign(first) && continues(row, Some(before))).then(|| {
         Fault::ambiguous(first.span, "this row starts with a sign, but the row before ends with a comma or a point")
-            .help("remove the comma, or write the row as an equation")
+            .help("remove the comma or point, or write this row as an equation")
     })
 }
 

@@ -114,12 +114,12 @@ fn reject_lone_values(pieces: &mut [Piece<'_>]) {
     for piece in pieces.iter_mut().filter(|piece| !is_whole(piece) && piece.fault.is_none()) {
         let items: Vec<Item> = piece.links.iter().flat_map(|link| &link.items).map(|item| (*item).clone()).collect();
         let what = match items.is_empty() {
-            true => "this part has no relation of its own".to_owned(),
-            false => format!("“{}” stands alone, without a relation of its own", typed(&items)),
+            true => "a part of this display has no = or other relation".to_owned(),
+            false => format!("“{}” stands alone, without = or another relation", typed(&items)),
         };
         piece.fault = Some(
             Fault::ambiguous(piece.span(), what)
-                .help("write one equation for each value, as in x = 2, and a relation for each name"),
+                .help("write an equation for each value and for each name, as in x = 2"),
         );
     }
 }

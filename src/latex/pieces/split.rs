@@ -116,8 +116,8 @@ impl<'a> Splitter<'a, '_> {
             && !piece.has_sign()
             && let Some(first) = begins_with_a_sign(items)
         {
-            let what = "this term stands apart from its equation";
-            let fault = Fault::unsupported(first.span, what).help("leave out the space or the words before it");
+            let what = "a wide space or words stand between this term and its equation";
+            let fault = Fault::unsupported(first.span, what).help("leave out the space or the words before this term");
             piece.fault.get_or_insert(fault);
         }
         if let Some(space) = piece.unclear_space() {
@@ -166,7 +166,7 @@ impl<'a> Splitter<'a, '_> {
         }
         match &item.layout {
             Layout::Scripts { nucleus, .. } if is_arrow(nucleus) => {
-                let what = "the condition of this arrow is not supported";
+                let what = "a condition above or below an arrow is not supported";
                 let fault = Fault::unsupported(item.span, what).help("write the condition beside its equation");
                 let mut piece = Piece { fault: Some(fault), ..Piece::new(self.number) };
                 piece.links.push(Link { relation: None, sign: None, items: vec![item] });
@@ -239,7 +239,8 @@ impl<'a> Splitter<'a, '_> {
         }
         if let Some(piece) = self.equation() {
             let what = "this arrow may mean “implies” or “tends to”";
-            let fault = Fault::ambiguous(item.span, what).help("write \\Rightarrow, or two displays");
+            let fault =
+                Fault::ambiguous(item.span, what).help("write \\Rightarrow for “implies”, or write two displays");
             piece.fault.get_or_insert(fault);
         }
     }
@@ -259,10 +260,11 @@ impl<'a> Splitter<'a, '_> {
                     Fault::unsupported(item.span, "a unit after a letter or a formula is not supported")
                         .help("remove the unit, or write it after a number")
                 }
-                _ => {
-                    Fault::unsupported(item.span, "these words qualify the formula before them, which is not supported")
-                        .help("write an equation, or a comma before words that only explain")
-                }
+                _ => Fault::unsupported(
+                    item.span,
+                    "a statement in words about a formula, such as “is unique”, is not supported",
+                )
+                .help("write an equation; if the words only explain, put a comma before them"),
             });
         }
         self.end();
@@ -383,7 +385,7 @@ impl<'a> Splitter<'a, '_> {
         }
         if is_number_of_the_row(self.items, at) || is_number_before_a_row(self.items, at) {
             piece.fault = Some(
-                Fault::ambiguous(item.span, "this may be the number of the equation or a factor")
+                Fault::ambiguous(item.span, "this number may be that of the equation, or a factor")
                     .help("write \\tag{…} for the number, or \\cdot before a factor"),
             );
         }
@@ -415,7 +417,8 @@ fn one_of_several<'a>(items: &[&'a Item], row: usize, is_abstract: bool, before:
     let is_open = are_open(items);
     if is_open || !is_abstract {
         let what = "“or” between equations is not supported";
-        let fault = |span| Fault::unsupported(span, what).help("write only one case, or a display for each");
+        let fault =
+            |span| Fault::unsupported(span, what).help("write only one of the equations, or a display for each");
         if let Some(before) = before.filter(|_| is_open) {
             before.fault = Some(fault(before.span()));
         }

@@ -31,8 +31,11 @@ pub(super) fn unclear_member(pieces: &[Piece<'_>], at: usize) -> Option<Fault> {
     let is_alone = !is_elsewhere && !others().any(|link| link.items.iter().any(|item| has_differential(item)));
     let span = piece.span();
     is_alone.then(|| {
-        Fault::ambiguous(span, "the d may begin a differential or be a factor, since no other side has a differential")
-            .help("write \\mathrm{d} for a differential, and \\cdot after the factor d")
+        Fault::ambiguous(
+            span,
+            "d may be a differential or a factor, because no other side of the equation has a differential",
+        )
+        .help("write \\mathrm{d} for a differential, and \\cdot after the factor d")
     })
 }
 
@@ -46,8 +49,10 @@ fn legend(piece: &Piece<'_>) -> Option<Fault> {
         solid.next().is_some_and(|first| matches!(first.layout, Layout::Text(_))) && solid.next().is_none()
     };
     let is_legend = rows.len() > 1 && rows.iter().all(|row| row.len() == 2 && row.iter().any(is_text));
-    is_legend
-        .then(|| Fault::unsupported(only.span, "a list of names with words is not supported").help("write it as text"))
+    is_legend.then(|| {
+        Fault::unsupported(only.span, "a table that explains names in words is not supported")
+            .help("write the explanation as text, outside of the formula")
+    })
 }
 
 /// The fault of `<x> = …`: < and > before and after a formula are the brackets of a mean value.

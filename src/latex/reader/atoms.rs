@@ -24,8 +24,11 @@ impl Reader<'_> {
         if let Layout::Scripts { nucleus, sub: Some(_), sup: Some(_), .. } = &item.layout
             && is_number(nucleus)
         {
-            return Err(Fault::unsupported(item.span, "a number with the bounds of its error is not supported")
-                .help("write the number alone"));
+            return Err(Fault::unsupported(
+                item.span,
+                "a number with an error, as in 1.2^{+0.8}_{-0.4}, is not supported",
+            )
+            .help("write the number without its error"));
         }
         // `3.0\text{–}5.2`
         if let Layout::Text(word) = &item.layout
@@ -61,13 +64,13 @@ impl Reader<'_> {
             && let Some(order) = overdots::order(command)
         {
             if is_number(inner) {
-                return Err(Fault::new(span, "a dot stands over a number"));
+                return Err(Fault::new(span, "a dot over a number means nothing"));
             }
             return Ok(Expr::new(Node::TimeDerivative(order, Box::new(self.item(inner)?)), span));
         }
         match &item.layout {
             Layout::Scripts { nucleus, .. } if nucleus.layout == Layout::Group(Vec::new()) => {
-                Err(Fault::new(span, "this subscript or superscript has no base"))
+                Err(Fault::new(span, "no symbol stands before this subscript or superscript"))
             }
             Layout::Fault(fault) => Err(fault.clone()),
             Layout::Unit(units) => self.units(units, span),
@@ -143,7 +146,7 @@ impl Reader<'_> {
             return self.apply(&operator, &[], &mut 0);
         }
         if self.symbols.infers() && is_material(numerator, denominator) {
-            return Err(Fault::unsupported(span, "the derivative D/Dt along a flow has no value here")
+            return Err(Fault::unsupported(span, "the derivative D/Dt along a flow is not supported")
                 .help("write \\frac{\\partial}{\\partial t} + \\vec u \\cdot \\nabla"));
         }
         let is_element = self.is_abstract()
@@ -152,7 +155,10 @@ impl Reader<'_> {
                 && !starts_differential(denominator)
                 && !matches!(&contents(numerator)[0].layout, Layout::Command(name) if name == "\\partial");
         if !is_element && (starts_differential(numerator) || starts_differential(denominator)) {
-            return Err(Fault::unsupported(span, "only derivatives with respect to time are supported"));
+            return Err(Fault::unsupported(
+                span,
+                "a differential in a fraction is supported only in a derivative, such as \\frac{dx}{dt}",
+            ));
         }
         is_filled(numerator, "the numerator", span)?;
         is_filled(denominator, "the denominator", span)?;
@@ -177,8 +183,8 @@ impl Reader<'_> {
         // `\left(\frac{d\vec e}{dt}\right)_S` is the rate in a frame, and nothing is held fixed.
         let is_rate = is_derivative && is_rate_in_a_frame(nucleus, sub);
         if is_rate && !self.is_abstract() {
-            return Err(Fault::unsupported(span, "the rate in a frame has no value here")
-                .help("write the derivative without the name of a frame"));
+            return Err(Fault::unsupported(span, "a time derivative in a named frame, (d/dt)_S, is not supported")
+                .help("write the derivative without the name of the frame"));
         }
         let is_held = is_derivative && !is_rate;
         if is_rate {
@@ -247,12 +253,12 @@ impl Reader<'_> {
                     let inner = self.item(&items[0])?;
                     Ok(self.template("[#]", vec![inner], span))
                 }
-                false => Err(Fault::unsupported(span, "a letter alone in square brackets has no value here")
-                    .help("write parentheses for a product")),
+                false => Err(Fault::unsupported(span, "a letter alone in square brackets is not supported")
+                    .help("for a product, write parentheses")),
             };
         }
         if delimiter == Delimiter::Square && self.symbols.may_be_abstract && are_entries(items) {
-            return Err(Fault::ambiguous(span, "this may be a row of entries or their product")
+            return Err(Fault::ambiguous(span, "these square brackets may hold the entries of a row, or a product")
                 .help("write \\begin{pmatrix} a & b \\end{pmatrix} for a row, and parentheses for a product"));
         }
         match delimiter {
@@ -277,7 +283,7 @@ impl Reader<'_> {
                 Ok(Expr::new(Node::Norm(Box::new(inner)), span))
             }
             Delimiter::Angle | Delimiter::Ket | Delimiter::Bra => {
-                Err(Fault::unsupported(span, "states and mean values in angle brackets have no value here"))
+                Err(Fault::unsupported(span, "states and mean values in angle brackets are not supported here"))
             }
             Delimiter::RightOpen | Delimiter::LeftOpen => {
                 let is_interval = items.iter().any(|item| matches!(item.layout, Layout::Other(',' | ';')));
@@ -290,9 +296,10 @@ impl Reader<'_> {
                         .help(format!("write {right} in place of {close}")),
                 })
             }
-            Delimiter::Evaluation => {
-                Err(Fault::unsupported(span, "the bar of an evaluation needs its place, as in \\right|_{x=a}"))
-            }
+            Delimiter::Evaluation => Err(Fault::unsupported(
+                span,
+                "the bar needs the place where the formula is taken, as in \\right|_{x=a}",
+            )),
         }
     }
 
@@ -305,11 +312,12 @@ impl Reader<'_> {
             _ => false,
         };
         let refused = || match &fence.layout {
-            Layout::Fence(_, inside) if inside.iter().any(is_partial) => {
-                Fault::unsupported(span, "partial derivatives are not supported")
-                    .help("leave the equation out with \"skip\" in the claims file")
-            }
-            _ => Fault::unsupported(sub.span, "a subscript is supported on a symbol, a vector or a 3×3 matrix only"),
+            Layout::Fence(_, inside) if inside.iter().any(is_partial) => Fault::unsupported(
+                span,
+                "a partial derivative with a subscript, as in (∂S/∂V)_T, is not supported here",
+            )
+            .help("leave the equation out with \"skip\" in the claims file"),
+            _ => Fault::unsupported(sub.span, "only a symbol, a vector or a 3×3 matrix can have a subscript"),
         };
         let index = |item: &Item| match &item.layout {
             Layout::Number(digits) => digits.parse().ok().filter(|n| (1..=3).contains(n)).map(Index::Fixed),
@@ -469,7 +477,8 @@ fn are_entries(items: &[Item]) -> bool {
 }
 
 fn no_degree(span: Span) -> Fault {
-    Fault::new(span, "the index of a root must be a whole number from 2 up").help("write the root as a power, x^{1/n}")
+    Fault::new(span, "the index of a root must be a whole number of at least 2")
+        .help("write the root as a power, x^{1/n}")
 }
 
 /// A matrix whose `row`-th row has another number of entries than the first one.

@@ -71,7 +71,7 @@ impl Reader<'_> {
                 span,
                 format!("a prime on {} may be a derivative by any of its arguments", entry.name),
             )
-            .help("write \\frac{\\partial}{\\partial x}"));
+            .help("write a partial derivative, such as \\frac{\\partial f}{\\partial x}"));
         };
         let fixed = self.momenta(&value);
         let scope = Scope { symbols: self.symbols, fixed: &fixed };
@@ -83,6 +83,7 @@ impl Reader<'_> {
                 ),
                 NoDerivative::Operation(what) => {
                     Fault::unsupported(span, format!("the derivative of {what} is not supported"))
+                        .help("write its result, or leave the equation out with \"skip\" in a claims file")
                 }
             }
         })
@@ -194,6 +195,6 @@ fn is_changed(changes: &[(Variable, Expr)], id: SymbolId) -> bool {
 }
 
 fn unknown_formula(name: &str, span: Span) -> Fault {
-    Fault::unsupported(span, format!("{name} at other arguments than those of its definition is not supported here"))
+    Fault::unsupported(span, format!("{name} with other arguments than in its definition is not supported here"))
         .help(format!("define {name} by a formula that contains its arguments directly"))
 }

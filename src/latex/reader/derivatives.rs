@@ -40,7 +40,7 @@ impl Reader<'_> {
                 operator.to(first.span),
                 "\\frac{d}{dt} x y may be \\frac{d}{dt}(x) y or \\frac{d}{dt}(x y)",
             )
-            .help("put what it acts on in parentheses, \\frac{d}{dt}(…)"));
+            .help("put what is differentiated in parentheses, \\frac{d}{dt}(…)"));
         }
         *cursor = items.len();
         self.sum(rest, operator)
@@ -114,7 +114,7 @@ impl Reader<'_> {
             layout => matches!(layout, Layout::Style(..)),
         });
         if self.symbols.find(&Name::plain("d")).is_some() && !is_upright {
-            return Err(Fault::ambiguous(span, "d may be a differential or the declared symbol")
+            return Err(Fault::ambiguous(span, "d may be a differential or the declared symbol d")
                 .help("write \\mathrm{d} for the derivative"));
         }
         if below != Some(order) {

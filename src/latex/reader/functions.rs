@@ -94,7 +94,7 @@ impl Reader<'_> {
                     head.to(first.span),
                     format!("\\{name}(x)^2 may be (\\{name}(x))^2 or \\{name}(x^2)"),
                 )
-                .help(format!("write \\{}^2(…) for the power of the function", function.name())));
+                .help(format!("write \\{}^2(…), or put the power inside of the parentheses", function.name())));
             }
             _ => (self.run_on(function, head, items, cursor)?, false),
         };
@@ -156,7 +156,7 @@ impl Reader<'_> {
         match items.get(*cursor) {
             Some(next) if !ends(next) => {
                 let (outer, inner) = (function.name(), inner.name());
-                let what = format!("the argument of \\{outer} may end after \\{inner} or later");
+                let what = format!("the argument of \\{outer} may end with that of \\{inner}, or later");
                 Err(Fault::ambiguous(argument.span.to(next.span), what)
                     .help(format!("put the argument in parentheses, \\{outer}(…)")))
             }
@@ -229,7 +229,7 @@ impl Reader<'_> {
                         head.to(item.span),
                         format!("\\{name} x^2 may be (\\{name} x)^2 or \\{name}(x^2)"),
                     )
-                    .help(format!("write \\{}(…) with the power inside, or \\{0}^2", function.name())));
+                    .help(format!("write \\{}^2(x) for the power of the function, or \\{0}(x^2)", function.name())));
                 }
                 break;
             }

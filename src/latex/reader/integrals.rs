@@ -21,9 +21,9 @@ impl Reader<'_> {
     pub(super) fn region(&mut self, items: &[Item], place: Span) -> Read<SymbolId> {
         let place = extent(items).unwrap_or(place);
         let refused = || {
-            Fault::new(place, "this is not a declared continuum")
+            Fault::new(place, "the region of this integral is not declared")
                 .code(Code::UndeclaredName)
-                .help("declare it under \"continua\" in the claims file, with its density")
+                .help("declare the body with its density under \"continua\" in the claims file")
         };
         let mut items = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
         let printed = items.next().and_then(|item| names::printed(item, self.branch)).ok_or_else(refused)?;
@@ -62,7 +62,7 @@ impl Reader<'_> {
         let (Some(measure), Some(argument)) = (entry.measure, entry.argument.clone()) else {
             return Err(Fault::new(below.span, format!("{} is not declared as a part of a continuum", entry.name))
                 .code(Code::UndeclaredName)
-                .help("declare it under \"continua\" in the claims file, with its density"));
+                .help("declare the body with its density under \"continua\" in the claims file"));
         };
         let (name, density) = (entry.name.clone(), entry.density);
         let wanted = match measure {
@@ -80,13 +80,14 @@ impl Reader<'_> {
             is_own
         };
         let Some(at) = rest.iter().position(ends) else {
-            return Err(Fault::new(sign.span, "this integral has no differential")
-                .help(format!("end it with {wanted}; put a sum in parentheses")));
+            return Err(Fault::new(sign.span, "this integral has no differential").help(format!(
+                "end the integral with {wanted}, and put an integrand with several terms in parentheses"
+            )));
         };
         let variable = rest.get(at + 1);
         let place = variable.map_or(rest[at].span, |variable| rest[at].span.to(variable.span));
         if self.symbols.find(&Name::plain("d")).is_some() && !matches!(rest[at].layout, Layout::Style(..)) {
-            return Err(Fault::ambiguous(place, "d may be a differential or the declared symbol")
+            return Err(Fault::ambiguous(place, "d may be a differential or the declared symbol d")
                 .help("write \\mathrm{d} for the differential"));
         }
         let printed = variable.and_then(|item| names::printed(item, None));

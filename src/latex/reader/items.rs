@@ -235,7 +235,7 @@ pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>
         return Ok(None);
     };
     if sub.is_some() || *primes > 0 {
-        return Err(Fault::unsupported(item.span, "a subscript or prime on a function is not supported"));
+        return Err(Fault::unsupported(item.span, "a subscript or prime on a function such as \\sin is not supported"));
     }
     match sup.as_deref() {
         // The usual name of the inverse function.
@@ -245,7 +245,9 @@ pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>
         Some(sup) if contents(sup).first().is_some_and(|item| item.layout == Layout::Other('-')) => {
             let name = function.name();
             Err(Fault::ambiguous(item.span, format!("\\{name}^{{-1}} x may be the inverse function or 1/\\{name} x"))
-                .help(format!("write the inverse function with ln or arctan, or \\frac{{1}}{{\\{name} x}}")))
+                .help(format!(
+                    "write the inverse function as \\arctan or \\ln, for example, or write \\frac{{1}}{{\\{name} x}}"
+                )))
         }
         sup => Ok(Some((function, sup))),
     }

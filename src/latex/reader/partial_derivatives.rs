@@ -92,7 +92,7 @@ impl Reader<'_> {
         let mut items = lower.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
         while let Some(first) = items.next() {
             let variable = items.next().filter(|_| mark(first) == Some((wanted, 1)));
-            let variable = variable.ok_or_else(|| Fault::new(whole, "∂ or d must stand before each variable here"))?;
+            let variable = variable.ok_or_else(|| Fault::new(whole, "∂ or d must stand before each variable below"))?;
             let by = self.variable(variable)?;
             let power = names::printed(variable, self.branch).and_then(|printed| printed.sup);
             let times = match power {
@@ -108,7 +108,7 @@ impl Reader<'_> {
     /// The symbol by which a derivative is taken, with its dots.
     fn variable(&mut self, item: &Item) -> Read<Variable> {
         let Some(printed) = names::printed(item, self.branch) else {
-            return Err(Fault::unsupported(item.span, "a derivative must be by a symbol, or by a rate of it"));
+            return Err(Fault::unsupported(item.span, "a derivative must be by a symbol, or by the rate of one"));
         };
         if let Some((id, indices)) = self.symbols.find_or_assemble(&printed.name) {
             let entry = self.symbols.entry(id);
@@ -139,7 +139,7 @@ impl Reader<'_> {
             }
             false => {
                 if let Some(next) = items.get(*cursor) {
-                    self.is_no_value("this derivative", operator.span, next)?;
+                    self.is_no_value("\\frac{\\partial f}{\\partial x}", operator.span, next)?;
                 }
                 (self.differentiated_name(operator.operand, operator.span)?, operator.span)
             }
@@ -155,7 +155,7 @@ impl Reader<'_> {
             return Ok(None);
         }
         if self.symbols.infers() && is_usual_index(sub) {
-            return Err(Fault::unsupported(item.span, "∂ with an index has no value here").help(
+            return Err(Fault::unsupported(item.span, "∂ with an index is not supported here").help(
                 "write \\frac{\\partial}{\\partial x}, or leave the equation out with \"skip\" in the claims file",
             ));
         }
@@ -185,8 +185,8 @@ impl Reader<'_> {
         }
         let rest = items.get(*cursor..).unwrap_or_default();
         let Some(first) = rest.first() else {
-            return Err(Fault::unsupported(operator, "a derivative without an operand is not supported")
-                .help("write what it acts on"));
+            return Err(Fault::unsupported(operator, "a derivative that acts on nothing is not supported")
+                .help("write the function that is differentiated"));
         };
         if matches!(first.layout, Layout::Fence(..)) {
             *cursor += 1;
@@ -205,7 +205,7 @@ impl Reader<'_> {
                 "\\frac{\\partial}{\\partial x} f g may be \\frac{\\partial}{\\partial x}(f) g or \
                  \\frac{\\partial}{\\partial x}(f g)",
             )
-            .help("put what it acts on in parentheses"));
+            .help("put what is differentiated in parentheses"));
         }
         *cursor = items.len();
         self.sum(rest, operator)
@@ -334,13 +334,10 @@ impl Reader<'_> {
         });
         if let (Some(velocity), Some(momentum)) = (velocity, others.iter().find(|other| is_momentum(other))) {
             let name = |id: SymbolId| self.symbols.entry(id).name.to_string();
+            let (p, q) = (name(momentum.id), name(velocity.id));
             return Err(Fault::ambiguous(
                 span,
-                format!(
-                    "the derivative may be taken with the momentum {} or with the rate of {} held fixed",
-                    name(momentum.id),
-                    name(velocity.id)
-                ),
+                format!("the derivative may keep the momentum {p} fixed, or the time derivative of {q}"),
             )
             .help("write the formula in coordinates and velocities, or in coordinates and momenta"));
         }
@@ -405,6 +402,7 @@ impl Reader<'_> {
             }
             NoDerivative::Operation(what) => {
                 Fault::unsupported(span, format!("the derivative of {what} is not supported"))
+                    .help("write its result, or leave the equation out with \"skip\" in a claims file")
             }
         }
     }

@@ -43,7 +43,7 @@ impl Factors {
         if self.operator.is_some() || self.is_empty() {
             let operator = typed(&items[at..=at]);
             return Err(Fault::new(span, format!("a factor is missing before this {operator}"))
-                .help(format!("write it, or remove the {operator}")));
+                .help(format!("write the factor, or remove the {operator}")));
         }
         if found == Joint::Slash {
             if let Some(function) = self.open_function {
@@ -163,7 +163,7 @@ impl Reader<'_> {
             let operator = items.iter().filter(|item| item.span == span).cloned().collect::<Vec<_>>();
             let operator = typed(&operator);
             return Err(Fault::new(span, format!("a factor is missing after this {operator}"))
-                .help(format!("write it, or remove the {operator}")));
+                .help(format!("write the factor, or remove the {operator}")));
         }
         let product = self.join(factors.runs, whole)?;
         self.has_no_implied_sum(&product)?;
@@ -199,8 +199,11 @@ impl Reader<'_> {
                 });
             }
             _ => {
-                return Err(Fault::ambiguous(item.span, "this bar may belong to one factor or to all before it")
-                    .help("write \\left. before what it belongs to, and \\right| for the bar"));
+                return Err(Fault::ambiguous(
+                    item.span,
+                    "the bar may belong to one factor, or to all factors before it",
+                )
+                .help("write \\left. before the factors to which the bar belongs, and \\right| for the bar"));
             }
         }
         Ok(())

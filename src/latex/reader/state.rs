@@ -62,7 +62,7 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
             Fault::ambiguous(span, "\\log x may be the natural logarithm, \\ln x, or the decimal one, \\ln x/\\ln 10")
                 .help("write \\ln x, or \\frac{\\ln x}{\\ln 10}")
         }
-        "\\pm" | "\\mp" => Fault::new(span, "± must stand where + or − can stand"),
+        "\\pm" | "\\mp" => Fault::new(span, "± can stand only where + or − can stand"),
         "\\partial" | "\\nabla" | "\\prod" | "\\iint" | "\\iiint" | "\\oint" | "\\oiint" => not_supported(name),
         "\\forall" | "\\exists" | "\\subset" | "\\subseteq" | "\\supset" | "\\cap" | "\\emptyset" => {
             not_supported(name)
@@ -81,13 +81,14 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
         }
         _ if is_relation(name) => Fault::unsupported(span, format!("{name} is not supported here"))
             .help("write a relation outside of all braces, parentheses and commands"),
-        "\\times" | "\\cdot" => Fault::unsupported(span, format!("a script on {name} is not supported"))
-            .help("leave the script out, or write the product as a function of its two factors"),
+        "\\times" | "\\cdot" => Fault::unsupported(span, format!("{name} cannot have a subscript or superscript"))
+            .help("remove it, or write the product as a function of its two factors"),
         "\\AsciiMath" => Fault::unsupported(span, "this is AsciiMath, which is not read").help(
             "write LaTeX, with [latexmath] before the block, or with the line “:stem: latexmath” at the top of the document",
         ),
         "\\TypstNotUnderstood" | "\\TypstEscape" | "\\TypstSign" => {
-            Fault::unsupported(span, "this is not understood as Typst").help("correct it, or write it in another way")
+            Fault::unsupported(span, "this Typst notation is not supported")
+                .help("correct the formula, or write it in another way")
         }
         "\\TypstUnclosed" => Fault::new(span, "a parenthesis or a quotation mark of this formula is never closed")
             .help("add what closes it"),
@@ -95,31 +96,40 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
             .help("write words outside of the formula"),
         _ if name.starts_with("\\Typst") => {
             let word = name.trim_start_matches("\\Typst");
-            Fault::new(span, format!("“{word}” is no symbol or function of Typst that is read here"))
+            Fault::new(span, format!("“{word}” is not a symbol or function of Typst that is supported"))
                 .code(Code::UnknownCommand)
-                .help("a name of several letters is written in quotation marks below a letter, as in x_\"name\"")
+                .help("write a name of several letters in quotation marks, as a subscript: x_\"name\"")
         }
-        "\\over" => Fault::unsupported(span, "\\over needs braces around what it divides, and stands in them once")
+        "\\over" => Fault::unsupported(span, "\\over needs braces around its fraction, and can stand in them only once")
             .help("write {a \\over b}, or \\frac{a}{b}"),
         "\\[" => Fault::new(span, "\\[ opens a display inside of another one")
             .help("close the display before it with \\]"),
         _ if WITHOUT_VALUE.contains(&name) => {
-            Fault::unsupported(span, format!("{name} has no value here")).help(match has_claims {
-                true => "write it out, or leave the equation out with \"skip\" in the claims file",
-                false => "write it out",
+            Fault::unsupported(span, format!("{name} cannot be evaluated here")).help(match has_claims {
+                true => "write the formula without it, or leave the equation out with \"skip\" in the claims file",
+                false => "write the formula without this command",
             })
         }
         "\\underbrace" | "\\overbrace" => {
             Fault::unsupported(span, "a formula as the label of a brace is not supported")
                 .help("write the label in \\text{…}, or remove the brace")
         }
+        "\\overset" | "\\underset" | "\\stackrel" => Fault::new(span, format!("{name} is not supported here"))
+            .code(Code::UnknownCommand)
+            .help("write a dot as \\dot{x}; leave out anything else above or below a symbol or relation"),
         "\\cup" => Fault::unsupported(span, "\\cup joins families of symbols, and is supported under \"where\" only")
             .help("say under \"where\" what the name of the family means in this equation"),
         _ => {
             Fault::new(span, format!("the command {name} is unknown")).code(Code::UnknownCommand).help(match has_claims
             {
-                true => "if it is your own macro, define it under \"macros\" in the claims file",
-                false => "if it is your own macro, define it with \\newcommand, or under \"macros\" in a claims file",
+                true => {
+                    "correct it or leave it out; if it is your own macro, define it under \"macros\" in the claims \
+                     file"
+                }
+                false => {
+                    "correct it or leave it out; if it is your own macro, define it with \\newcommand, or under \
+                     \"macros\" in a claims file"
+                }
             })
         }
     }
@@ -176,13 +186,13 @@ pub(super) fn unread(item: &Item, has_claims: bool) -> Fault {
             (Layout::Fault(fault), _) => fault.clone(),
             (Layout::Command(name), _) => unknown_command(name, nucleus.span, has_claims),
             (_, Some(sub)) => {
-                Fault::unsupported(sub.span, "a subscript is supported on a symbol, a vector or a 3×3 matrix only")
+                Fault::unsupported(sub.span, "only a symbol, a vector or a 3×3 matrix can have a subscript")
             }
-            _ => Fault::unsupported(span, "a prime is supported on a symbol only"),
+            _ => Fault::unsupported(span, "only a symbol can have a prime"),
         },
         Layout::Command(name) => unknown_command(name, span, has_claims),
         Layout::Style(name, _) | Layout::Accent(name, _) => {
-            Fault::unsupported(span, format!("{name} must stand before one name"))
+            Fault::unsupported(span, format!("{name} can mark only one name"))
                 .help(format!("write it before each name, as in {name}{{F}} = m {name}{{a}}"))
         }
         Layout::Text(word) if ["or", "oder", "ou"].contains(&word.as_str()) => {
@@ -199,11 +209,11 @@ pub(super) fn unread(item: &Item, has_claims: bool) -> Fault {
             let message = format!("“{word}” is no unit, and words inside of a formula are not supported here");
             Fault::unsupported(span, message).help("write words outside of the formula")
         }
-        Layout::Space(_) => Fault::unsupported(span, "this superscript or subscript stands after a space, on nothing")
+        Layout::Space(_) => Fault::unsupported(span, "a superscript or subscript cannot stand after a space")
             .help("remove the space, as in 25^\\circ"),
         Layout::Other(',') => Fault::unsupported(span, "a comma is not supported here")
             .help("write an equation for each value; write numbers as 1000 and 1.5"),
-        Layout::Other('.' | '…') => Fault::unsupported(span, "a point between formulas is not supported")
+        Layout::Other('.' | '…') => Fault::unsupported(span, "a point or … between formulas is not supported")
             .help("write \\cdot for a product, and all terms in place of an ellipsis"),
         Layout::Other('!') => Fault::unsupported(span, "a factorial is not supported").help(left_out(has_claims)),
         Layout::Other(c) => {
@@ -213,9 +223,10 @@ pub(super) fn unread(item: &Item, has_claims: bool) -> Fault {
                 None if matches!(c, '=' | '<' | '>') => {
                     fault.help("write a relation outside of all braces, parentheses and commands")
                 }
+                None if *c == ':' => fault.help("write labels and words outside of the formula"),
                 None => fault,
             }
         }
-        _ => Fault::unsupported(span, "this is not supported here"),
+        _ => Fault::unsupported(span, "this notation is not supported here"),
     }
 }

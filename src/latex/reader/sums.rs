@@ -43,7 +43,8 @@ impl Reader<'_> {
         }
         for (at, over) in overs.iter().enumerate() {
             if self.summed.contains(&over.index) || overs[..at].iter().any(|before| before.index == over.index) {
-                return Err(Fault::index(sub.span, "this index is already summed over")
+                let letter = &self.symbols.indices[over.index.0].letter;
+                return Err(Fault::index(sub.span, format!("the index {letter} is already summed over"))
                     .help("use another index in the inner sum"));
             }
         }
@@ -58,7 +59,7 @@ impl Reader<'_> {
         let lone = |over: &&Over| over.pair.is_some() && !body.has_letter(over.index);
         if let Some(Over { index, pair: Some(place), .. }) = overs.iter().find(lone) {
             let letter = &self.symbols.indices[index.0].letter;
-            let what = format!("this may be a sum over pairs, or a sum for each {letter}");
+            let what = format!("this Σ may be a sum over pairs, or a sum for each value of {letter}");
             return Err(Fault::ambiguous(*place, what)
                 .help(format!("write a Σ for each letter, or only one if {letter} is free")));
         }
@@ -70,9 +71,9 @@ impl Reader<'_> {
             if body.symbols().iter().any(is_about_it) {
                 return Err(Fault::unsupported(
                     body.span,
-                    format!("this quantity needs the index {letter} to be summed over"),
+                    format!("this quantity has no known value for each {letter}, so it cannot be summed"),
                 )
-                .help(format!("declare it with its index {letter}, in place of the formula")));
+                .help(format!("in its place, declare a symbol with the index {letter}")));
             }
             let node = Node::SumOver { index, implied: false, except, within, body: Box::new(body) };
             body = Expr::new(node, span);
@@ -107,7 +108,8 @@ impl Reader<'_> {
                     let low = whole_number(one).and_then(|low| u8::try_from(low).ok());
                     let low = low.filter(|low| (1..=self.symbols.indices[index.0].upper).contains(low));
                     let low = low.ok_or_else(|| {
-                        Fault::index(one.span, "a sum must start at a value of its index").help("as in \\sum_{i=1}^{n}")
+                        Fault::index(one.span, "a sum must start at a value that its index can have")
+                            .help("write \\sum_{i=1}^{n}, for example")
                     })?;
                     let except = (low > 1).then_some(Excluded::UpTo(Index::Fixed(low - 1)));
                     match overs.iter_mut().find(|over| over.index == index && over.within.is_some()) {
@@ -164,7 +166,7 @@ impl Reader<'_> {
                 Some(less @ 1..=9) => Ok(Some((limit, less as u8))),
                 _ => Err(Fault::index(
                     upper.span,
-                    "the upper limit must be that of the index, or at most 9 less, as in n - 1",
+                    "the upper limit must be the largest value of the index, or at most 9 less, as in n - 1",
                 )),
             },
             _ => Ok(None),
@@ -187,7 +189,10 @@ impl Reader<'_> {
         let value = whole_number(item).and_then(|value| u8::try_from(value).ok());
         match value {
             Some(value) if (1..=self.symbols.indices[index.0].upper).contains(&value) => Ok(Index::Fixed(value)),
-            _ => Err(Fault::index(item.span, "a sum can leave out only an index or a value of its index")),
+            _ => Err(Fault::index(
+                item.span,
+                "a sum can leave out only the value of another index, or a number that its index can be",
+            )),
         }
     }
 
@@ -202,8 +207,11 @@ impl Reader<'_> {
             .and_then(|printed| self.symbols.find_or_assemble(&printed.name));
         match found.as_ref().map(|(_, indices)| indices.as_slice()) {
             Some([Index::Letter(index)]) if self.symbols.indices[index.0].labels => Ok(*index),
-            _ => Err(Fault::index(item.span, "this is not the position of a particle with an index")
-                .help("write \\sum_{\\vec r_i \\in V(\\vec r)}, with a declared \\vec r_i")),
+            _ => Err(Fault::index(
+                item.span,
+                "a sum over the particles in a body needs the position of a particle with an index",
+            )
+            .help("write \\sum_{\\vec r_i \\in V(\\vec r)}, with a declared \\vec r_i")),
         }
     }
 
@@ -228,7 +236,10 @@ impl Reader<'_> {
             ),
             None => format!("write \\sum_{{{}}} for all of these", entry.letter),
         };
-        let message = format!("the index {} is declared to run from 1 to {declared}", entry.letter);
+        let message = format!(
+            "this sum has another upper limit than the index {}, which is declared to run from 1 to {declared}",
+            entry.letter
+        );
         Err(Fault::index(upper.span, message).help(advice))
     }
 }

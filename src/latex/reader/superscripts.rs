@@ -107,7 +107,11 @@ impl Reader<'_> {
         let has_hat = matches!(&boxed.node, Node::Symbol { id, .. }
             if self.symbols.entry(*id).name.base.starts_with("\\hat{"));
         if has_hat && shape == Shape::Vector && self.symbols.may_be_abstract && !self.is_abstract() {
-            return Err(Fault::ambiguous(span, "a power of a letter with a hat may be that of an operator"));
+            return Err(Fault::ambiguous(
+                span,
+                "a letter with a hat may be an operator or a unit vector, so its power is unclear",
+            )
+            .help("for the square of a vector, declare the vector in a claims file"));
         }
         if shape == Shape::Vector && whole_number(sup) == Some(2) {
             return Ok(Expr::new(Node::Dot(boxed.clone(), boxed), span));
@@ -124,8 +128,8 @@ impl Reader<'_> {
             let is_declared = !self.symbols.open && self.symbols.find(&Name::plain("T")).is_some();
             return match is_letter && is_declared {
                 true => Ok(()),
-                false => Err(Fault::ambiguous(span, "this may be a transpose or a power")
-                    .help("only matrices that are declared or written out can be transposed; for a power, declare T")),
+                false => Err(Fault::ambiguous(span, "this superscript may be a transpose or a power")
+                    .help("for a transpose, declare the matrix or write it out; for a power, declare T")),
             };
         }
         // `B^{-T}`
@@ -133,8 +137,8 @@ impl Reader<'_> {
             && is_transpose(last)
             && (self.symbols.open || self.symbols.guessed)
         {
-            return Err(Fault::ambiguous(span, "this may be the inverse of a transpose or a power")
-                .help("only matrices that are declared or written out can be transposed"));
+            return Err(Fault::ambiguous(span, "this superscript may be the inverse of a transpose, or a power")
+                .help("for a transpose, declare the matrix or write it out"));
         }
         if self.is_level(self.name_of(base).0, sup) {
             return Err(unclear(span, sup, "the number of a step or a power")
@@ -233,17 +237,14 @@ impl Reader<'_> {
                 .help("write \\gamma_5 for the matrix, and (\\gamma)^5 for the power"));
         }
         if self.is_element_of_an_inverse(base, sup) {
-            return Err(Fault::ambiguous(
-                span,
-                "this may be an element of the inverse matrix, or 1 divided by an element",
-            )
-            .help("write (F^{-1})_{ij} or \\frac{1}{F_{ij}}"));
+            return Err(Fault::ambiguous(span, "F_{ij}^{-1} may be an element of the inverse matrix, or 1/F_{ij}")
+                .help("write (F^{-1})_{ij} or \\frac{1}{F_{ij}}"));
         }
         let letters: Option<Vec<String>> = marks.iter().map(|item| letter(item)).collect();
         let letters = letters.unwrap_or_default();
         let is_index = |letter: &String| self.symbols.index(letter).is_some();
         if !letters.is_empty() && letters.iter().all(is_index) && !marks.iter().all(|item| self.is_declared(item)) {
-            return Err(Fault::unsupported(sup.span, "indices above a symbol are not supported")
+            return Err(Fault::unsupported(sup.span, "indices as a superscript are not supported")
                 .help("write the index as a subscript"));
         }
         let is_unclear = |letter: &String| self.symbols.inferred.unclear_letters.contains(letter);
@@ -290,8 +291,15 @@ impl Reader<'_> {
             let message = format!("the superscript {above} needs a matrix or a complex number");
             (message, format!("declare {name} as one, such as \"2x2 matrix\" or \"complex\", under \"constants\""))
         } else {
-            let message = format!("the superscript {above} is no power, and a mark above a symbol is not supported");
-            (message, format!("write it below, such as {name}_{{{above}}}; write a power as {name}^2 or {name}^n"))
+            let message = format!(
+                "the superscript {above} is not a power, and a superscript that is only a mark is not supported"
+            );
+            (
+                message,
+                format!(
+                    "write the mark as a subscript, such as {name}_{{{above}}}; write a power as {name}^2 or {name}^n"
+                ),
+            )
         };
         Fault::unsupported(sup.span, message).help(help)
     }
@@ -387,7 +395,8 @@ fn unclear(span: Span, sup: &Item, meanings: &str) -> Fault {
 }
 
 fn label(span: Span) -> Fault {
-    Fault::unsupported(span, "a word above a symbol is not supported").help("write it below, such as x_{\\text{ext}}")
+    Fault::unsupported(span, "a word as a superscript is not supported")
+        .help("write the word as a subscript, such as x_{\\text{ext}}")
 }
 
 /// The letter that an item is.

@@ -60,7 +60,8 @@ impl Reader<'_> {
                         at += 1;
                         continue;
                     }
-                    return Err(Fault::new(first.to(items[at].span), "two signs stand side by side"));
+                    return Err(Fault::new(first.to(items[at].span), "two signs stand side by side")
+                        .help("write one sign, or put the signed term in parentheses"));
                 }
                 pending = Some((sign, items[at].span));
                 at += 1;
@@ -82,7 +83,7 @@ impl Reader<'_> {
             let sign = items.iter().filter(|item| item.span == span).cloned().collect::<Vec<_>>();
             let sign = typed(&sign);
             return Err(Fault::new(span, format!("a term is missing after this {sign}"))
-                .help(format!("write it, or remove the {sign}")));
+                .help(format!("write the term, or remove the {sign}")));
         }
         if terms.len() > 1
             && let Some(dots) = dots_after_a_factor(items)
@@ -122,7 +123,7 @@ impl Reader<'_> {
         for (at, item) in items.iter().enumerate() {
             if self.sign(item)?.is_some() {
                 if after_operator {
-                    return Err(Fault::new(item.span, "a sign directly follows an operator")
+                    return Err(Fault::new(item.span, "a sign directly follows the sign of a product or quotient")
                         .help("put the signed factor in parentheses"));
                 }
                 return Ok(at);
@@ -209,7 +210,7 @@ impl Reader<'_> {
             let span = item.span.to(items[*cursor + 4].span);
             let inner = self.item(&items[*cursor + 1])?;
             *cursor += 5;
-            self.is_no_value("this derivative", span, items.get(*cursor).unwrap_or(item))?;
+            self.is_no_value("\\frac{df}{dt}", span, items.get(*cursor).unwrap_or(item))?;
             return Ok((Expr::new(Node::TimeDerivative(order, Box::new(inner)), span), true));
         }
         if let Layout::Fraction(numerator, denominator) = &item.layout
@@ -217,7 +218,7 @@ impl Reader<'_> {
         {
             *cursor += 1;
             if !rest.is_empty() {
-                self.is_no_value("this derivative", item.span, items.get(*cursor).unwrap_or(item))?;
+                self.is_no_value("\\frac{df}{dt}", item.span, items.get(*cursor).unwrap_or(item))?;
                 let inner = self.sum(rest, item.span)?;
                 return Ok((Expr::new(Node::TimeDerivative(order, Box::new(inner)), item.span), true));
             }
@@ -263,10 +264,11 @@ fn is_no_error_of_measurement(items: &[Item]) -> Read<()> {
     let is_sign = |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\pm");
     let found = solid.windows(3).find(|three| has_decimals(three[0]) && is_sign(three[1]) && has_decimals(three[2]));
     match found {
-        Some(three) => {
-            Err(Fault::ambiguous(three[0].span.to(three[2].span), "this may be a value with its error, or two values")
-                .help("write the value alone"))
-        }
+        Some(three) => Err(Fault::ambiguous(
+            three[0].span.to(three[2].span),
+            "± between two numbers may mean the error of a value, or two values",
+        )
+        .help("write the value without its error")),
         None => Ok(()),
     }
 }
@@ -369,7 +371,8 @@ fn is_no_range(items: &[Item]) -> Read<()> {
         // `1 - 20\%` and `2\,\text{s} - 3\,\text{s}` are differences.
         (Some((first, has_unit)), Some((second, true))) if first < second && has_unit == is_percent(to) => {
             let span = from[0].span.to(to[to.len() - 1].span);
-            Err(Fault::ambiguous(span, "this may be a range of values or a difference").help("write one value"))
+            Err(Fault::ambiguous(span, "− between two values may mean a range of values, or a difference")
+                .help("write one value"))
         }
         _ => Ok(()),
     }

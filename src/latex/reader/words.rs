@@ -152,8 +152,9 @@ fn is_no_word(word: &str, span: Span, symbols: &Symbols) -> Read<()> {
             return Err(Fault::ambiguous(span, format!("{word} may be the letter \\{word} or a product"))
                 .help(format!("write \\{word} for the letter; {apart}")));
         }
-        return Err(Fault::ambiguous(span, format!("{word} may be a name or a product"))
-            .help(format!("a name of several letters is a letter with a subscript, such as E_{{kin}}; {apart}")));
+        return Err(Fault::ambiguous(span, format!("{word} may be a name or a product")).help(format!(
+            "write a word as \\text{{{word}}}, and a name as a letter with a subscript, such as E_{{kin}}; {apart}"
+        )));
     }
     Ok(())
 }

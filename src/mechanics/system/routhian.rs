@@ -49,7 +49,7 @@ impl System {
             return Err(Error::new(
                 "the effective potential has no exact form, because the momenta are not linear in the velocities",
             )
-            .help("use effective_potential, which solves for the velocities numerically"));
+            .help("call effective_potential, which solves for the velocities numerically"));
         }
         let mut pv = D::zero();
         for &i in &cyclic {

@@ -211,7 +211,7 @@ const HIGHEST_ORDER: u32 = 9;
 /// Reads the claim about the equation at `address`.
 pub(super) fn claim(json: &Json, address: &str, source: &Source) -> Result<Claim, Fault> {
     let fields = Fields::new(json, &format!("the claim for \"{address}\""), &[KEYS], LATER)?;
-    fields.together("solves", "for", "\"solves\" names the equation, and \"for\" the unknown")?;
+    fields.together("solves", "for", "write the equation under \"solves\", and the unknown under \"for\"")?;
     let mut claim = shared(&fields, source)?;
     claim.solves = solves(&fields, source)?;
     Ok(claim)
@@ -219,7 +219,7 @@ pub(super) fn claim(json: &Json, address: &str, source: &Source) -> Result<Claim
 
 /// The keys that equations and sentences share: all but `solves` and `for`, which differ beside `solutions`.
 pub(super) fn shared(fields: &Fields<'_>, source: &Source) -> Result<Claim, Fault> {
-    fields.together("expect", "because", "\"expect\" names the verdict, and \"because\" the reason")?;
+    fields.together("expect", "because", "write the verdict under \"expect\", and the reason under \"because\"")?;
     let holds = fields.text("holds")?;
     let generates = fields.text("generates")?;
     let units = fields.text("units")?;
@@ -270,13 +270,13 @@ fn order(fields: &Fields<'_>) -> Result<Option<Spanned<u32>>, Fault> {
     let Some((key, json)) = fields.entry("order") else { return Ok(small) };
     if small.is_none() {
         return Err(Fault::claims(key.span, "\"order\" needs \"small\" beside it")
-            .help("name the small quantity under \"small\""));
+            .help("write the name of the small quantity under \"small\""));
     }
     let order = fields::count(json, "order")?;
     match u32::try_from(order.value) {
         Ok(value) if value <= HIGHEST_ORDER => Ok(Some(Spanned::new(value, order.span))),
         _ => Err(Fault::claims(order.span, format!("\"order\" must be at most {HIGHEST_ORDER}"))
-            .help("use 1 for an equation that is linear in the small quantity")),
+            .help("write 1 for an equation that holds to first order in the small quantity")),
     }
 }
 
@@ -305,7 +305,7 @@ fn conserved(fields: &Fields<'_>) -> Result<Option<Spanned<Conserved>>, Fault> {
             if ["yes", "no", "true", "false"].contains(&text.value.trim()) {
                 let message = format!("“{}” is not a formula", text.value);
                 return Err(Fault::claims(text.span, message)
-                    .help("\"conserved\" is true, without quotation marks, or LaTeX for what is constant"));
+                    .help("write true without quotation marks, or the LaTeX of the constant quantity"));
             }
             Ok(Some(text.map(Conserved::Expression)))
         }
@@ -317,14 +317,16 @@ fn conserved(fields: &Fields<'_>) -> Result<Option<Spanned<Conserved>>, Fault> {
 fn equilibrium(fields: &Fields<'_>) -> Result<Option<Spanned<Equilibrium>>, Fault> {
     if let (Some((at, _)), None) = (fields.entry("at"), fields.entry("equilibrium")) {
         return Err(Fault::claims(at.span, "\"at\" needs \"equilibrium\" beside it")
-            .help("\"at\" says where the coordinates are in an equilibrium"));
+            .help("write \"equilibrium\": true; \"at\" gives the values of the coordinates there"));
     }
     match fields.get("equilibrium") {
         Some(json @ Json { value: Value::String(_), .. }) => {
             let text = fields::text(json, "equilibrium")?;
             let words =
                 [("stable", Equilibrium::Stable), ("unstable", Equilibrium::Unstable), ("steady", Equilibrium::Steady)];
-            let fault = |fault: Fault| fault.help("\"equilibrium\" is true, \"stable\", \"unstable\" or \"steady\"");
+            let fault = |fault: Fault| {
+                fault.help("write true without quotation marks, or \"stable\", \"unstable\" or \"steady\"")
+            };
             Ok(Some(fields::word(&text, "equilibrium", &words).map_err(fault)?))
         }
         Some(json) if !matches!(json.value, Value::Bool(_)) => {
@@ -371,7 +373,7 @@ fn erratum(json: &Json) -> Result<Erratum, Fault> {
     let fields = Fields::new(json, "an erratum", &[&["for", "read", "times", "because"]], &[])?;
     let missing = |key: &str| {
         Fault::claims(json.span, format!("an erratum needs \"{key}\""))
-            .help("write \"for\": what is printed, and \"read\": what it should be")
+            .help("write the printed text under \"for\", and the correct text under \"read\"")
     };
     let times = fields.count("times")?;
     if let Some(Spanned { value: 0, span }) = times {
@@ -390,7 +392,7 @@ fn expect(fields: &Fields<'_>) -> Result<Option<Expect>, Fault> {
     if ["certified", "verified", "definition", "law"].contains(&verdict.value.as_str()) {
         return Err(Fault::claims(
             verdict.span,
-            format!("\"{}\" is a pass, and \"expect\" is for other verdicts", verdict.value),
+            format!("\"expect\" is for verdicts that do not pass, and \"{}\" passes", verdict.value),
         )
         .help("remove \"expect\" and \"because\""));
     }

@@ -92,15 +92,17 @@ pub(super) fn continua(fields: &Fields<'_>, source: &Source) -> Result<Vec<Conti
 
 fn continuum(name: &Text, json: &Json, source: &Source) -> Result<Continuum, Fault> {
     let fields = Fields::new(json, "a continuum", &[DENSITIES, &["particles", "uniform", "made of"]], &[])?;
-    let [name] = <[Text; 1]>::try_from(fields::names(name, source)?)
-        .map_err(|_| Fault::claims(name.span, "a continuum has one name").help("give each its own line"))?;
+    let [name] = <[Text; 1]>::try_from(fields::names(name, source)?).map_err(|_| {
+        Fault::claims(name.span, "this key must be one name, that of one continuum")
+            .help("write one line for each continuum")
+    })?;
     let mut densities = (1..).zip(DENSITIES).filter_map(|(dimension, key)| Some((dimension, fields.entry(key)?)));
     let Some((dimension, (key, value))) = densities.next() else {
         return Err(Fault::claims(json.span, format!("the density of {} is missing", name.value))
             .help("add \"mass per length\", \"mass per area\" or \"mass per volume\""));
     };
     if let Some((_, (second, _))) = densities.next() {
-        let message = format!("\"{}\" and \"{}\" cannot both be given", key.value, second.value);
+        let message = format!("\"{}\" and \"{}\" cannot both be given for one continuum", key.value, second.value);
         return Err(Fault::claims(second.span, message).help("keep one of them"));
     }
     let (density, point) = density(&fields::text(value, &key.value)?, source)?;
@@ -125,8 +127,11 @@ fn density(written: &Text, source: &Source) -> Result<(Text, Text), Fault> {
     });
     match pieces {
         Some((density, point)) if !density.value.is_empty() && !point.value.is_empty() => Ok((density, point)),
-        _ => Err(Fault::claims(written.span, format!("\"{text}\" does not name the point of the density"))
-            .help("as in \"\\\\rho(\\\\vec r)\"")),
+        _ => Err(Fault::claims(
+            written.span,
+            format!("\"{text}\" does not name the density and the point where it is taken"),
+        )
+        .help("write, for example, \"\\\\rho(\\\\vec r)\"")),
     }
 }
 
@@ -139,7 +144,7 @@ fn particles(written: &Text, source: &Source) -> Result<(Text, Text), Fault> {
     match pieces {
         Some((mass, position)) if !mass.value.is_empty() && !position.value.is_empty() => Ok((mass, position)),
         _ => Err(Fault::claims(written.span, format!("\"{text}\" does not name a mass and its position"))
-            .help("as in \"m_i at \\\\vec r_i\"")),
+            .help("write, for example, \"m_i at \\\\vec r_i\"")),
     }
 }
 
@@ -157,7 +162,7 @@ fn solid(json: &Json, dimension: u8, per: &str, source: &Source) -> Result<Solid
     if kind.dimension() != dimension {
         let fitting = SOLIDS.iter().filter(|(_, kind)| kind.dimension() == dimension);
         let fitting = fitting.map(|(key, _)| format!("\"{key}\"")).collect::<Vec<_>>().join(" or ");
-        return Err(Fault::claims(key.span, format!("a {} has no \"{per}\"", key.value))
+        return Err(Fault::claims(key.span, format!("\"{}\" does not fit \"{per}\"", key.value))
             .help(format!("with \"{per}\", use {fitting}")));
     }
     let size = fields::text(value, &key.value)?;

@@ -29,7 +29,7 @@ impl<'a> Fields<'a> {
             }
             if later.contains(&name) {
                 return Err(Fault::unsupported(key.span, format!("\"{name}\" is not supported yet"))
-                    .help("remove it; onshell would not check it"));
+                    .help("remove this key; nothing would be checked for it"));
             }
             let fault = Fault::claims(key.span, format!("{what} has no key \"{name}\""));
             let list = || known().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ");
@@ -90,7 +90,8 @@ impl<'a> Fields<'a> {
             None => Ok(None),
             Some(Json { value: Value::Bool(true), span }) => Ok(Some(*span)),
             Some(Json { value: Value::Bool(false), span }) => {
-                Err(Fault::claims(*span, format!("\"{name}\" takes no value but true")).help("remove the key"))
+                Err(Fault::claims(*span, format!("the only value of \"{name}\" is true"))
+                    .help("remove the key, or write true"))
             }
             Some(json) => Err(wrong(json, name, "true")),
         }
@@ -137,9 +138,9 @@ pub(super) fn object<'a>(json: &'a Json, what: &str) -> Result<&'a [(Text, Json)
     match &json.value {
         Value::Object(entries) => Ok(entries),
         other => {
-            let fault = Fault::claims(json.span, format!("{what} must be an object, not {}", other.kind()));
+            let fault = Fault::claims(json.span, format!("{what} must be an object, {{ … }}, not {}", other.kind()));
             Err(match example(what) {
-                Some(example) => fault.help(format!("as in {what}: {example}")),
+                Some(example) => fault.help(format!("for example, {what}: {example}")),
                 None => fault,
             })
         }

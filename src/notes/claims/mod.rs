@@ -281,7 +281,7 @@ fn system(fields: &Fields<'_>) -> Result<Option<SystemRef>, Fault> {
         }
         Some(json @ Json { value: Value::Object(_), .. }) => {
             let inner = Fields::new(json, "\"system\"", &[&["name", "read"]], &[])?;
-            let missing = || Fault::claims(json.span, "\"system\" needs \"name\"");
+            let missing = || Fault::claims(json.span, "\"system\" needs \"name\", the name of the system");
             Ok(Some(SystemRef { name: inner.text("name")?.ok_or_else(missing)?, read: inner.pairs("read")? }))
         }
         Some(json) => Err(fields::wrong(json, "system", "a name or an object with \"name\" and \"read\"")),

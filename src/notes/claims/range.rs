@@ -127,9 +127,10 @@ const QUANTITIES: [&str; 20] = [
     "coordinate",
     "scalar",
 ];
-const INDICES: &str = "an index runs over \"1..3\" or \"1..n\"; one that is never summed over is \"labels 1..3\"";
+const INDICES: &str = "write \"1..3\" or \"1..n\"; for an index that is summed over only under Σ, write \"labels \
+                       1..3\"";
 const MOTIONS: &str =
-    "as in \"rigid, turning with \\\\vec\\\\omega\", with \"about \\\\vec c\" after it where it turns about a point";
+    "write \"rigid, turning with \\\\vec\\\\omega\"; if the body turns about a point, add \"about \\\\vec c\"";
 
 /// Reads the range of a symbol.
 pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> {
@@ -149,13 +150,13 @@ pub(super) fn range(written: &Spanned<String>) -> Result<Spanned<Range>, Fault> 
             None => {
                 let fault = Fault::claims(written.span, format!("\"{text}\" is not a range"));
                 if text == "fixed direction" || text.starts_with("rigid") {
-                    return Err(fault.help("declare a vector that varies like this under \"varies with time\""));
+                    return Err(fault.help("declare this vector under \"varies with time\""));
                 }
                 let is_quantity = QUANTITIES.iter().any(|word| text.eq_ignore_ascii_case(word));
                 if is_quantity {
                     let help = format!(
-                        "\"{text}\" says what a quantity is, and a range says which values it has: \
-                                        \"> 0\", if it is never negative, else \"any\""
+                        "a range says which values a quantity may have; in place of \"{text}\" write \"> 0\" if it is \
+                         always positive, else \"any\""
                     );
                     return Err(fault.help(help));
                 }
@@ -233,10 +234,11 @@ pub(super) fn function(written: &Spanned<String>) -> Result<Spanned<Range>, Faul
     let names = written.value.trim().strip_prefix("of ").unwrap_or_default();
     let names: Vec<String> = names.split(',').map(|name| name.trim().to_owned()).collect();
     match names.iter().any(String::is_empty) {
-        true => {
-            Err(Fault::claims(written.span, format!("\"{}\" does not say of what it is a function", written.value))
-                .help("write \"of r\", or \"of x, y\" with up to three names"))
-        }
+        true => Err(Fault::claims(
+            written.span,
+            format!("\"{}\" does not name the arguments of the function", written.value),
+        )
+        .help("write \"of r\", or \"of x, y\" with up to three names")),
         false => Ok(Spanned::new(Range::Of(names), written.span)),
     }
 }

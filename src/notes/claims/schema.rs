@@ -52,14 +52,14 @@ fn of_document(key: &str) -> Value {
     match key {
         "notes" => described(text(), "The path of the notes, relative to this file."),
         "system" => json!({
-            "description": "The system whose Lagrangian is true, by its name.",
+            "description": "The name of the system whose Lagrangian is taken for true.",
             "anyOf": [text(), { "type": "object" }]
         }),
-        "independent variable" => described(text(), "What takes the place of the time."),
+        "independent variable" => described(text(), "The name of the time, if it is not t."),
         "dissipation" => described(text(), "Rayleigh's dissipation function."),
-        "assume" => described(texts(), "What holds in every equation."),
+        "assume" => described(texts(), "Hypotheses of every equation."),
         "coordinates" => described(named(), "The coordinates, each with its range."),
-        "varies with time" => described(named(), "What varies freely with the time, each with its range."),
+        "varies with time" => described(named(), "Symbols that vary freely with the time, each with its range."),
         "constants" => described(named(), "The constants, each with its range."),
         "functions" => described(named(), "Functions without a formula, each with its arguments: \"of r\"."),
         "formulas as names" => json!({
@@ -67,13 +67,13 @@ fn of_document(key: &str) -> Value {
             "type": "object",
             "additionalProperties": { "enum": ["constant", "varies with time", "constant vector", "vector that varies with time", "rate", "given by a display"] }
         }),
-        "laws" => described(named(), "What is taken for granted: names with an address or LaTeX."),
-        "means" => described(named(), "What a name is for the system: \"L\": \"Lagrangian\"."),
-        "define" => described(named(), "Formulas of names that no display defines."),
+        "laws" => described(named(), "Laws, which are taken for granted: the name of each, with an address or LaTeX."),
+        "means" => described(named(), "What a name means for the system, as in \"L\": \"Lagrangian\"."),
+        "define" => described(named(), "Names that no display defines, each with its formula."),
         "macros" => described(named(), "Macros that are defined elsewhere."),
         "forces" | "constraints" | "indices" | "units" | "guesses" => named(),
         "conditions" => json!({ "type": "object", "additionalProperties": texts() }),
-        "steps" => described(texts(), "The displays of a derivation, in their order."),
+        "steps" => described(texts(), "Derivations, each given by the address of its steps in their order."),
         "equations" => json!({
             "description": "Claims about equations, by their addresses.",
             "type": "object",

@@ -97,7 +97,10 @@ pub(super) fn sentence(json: &Json, source: &Source) -> Result<Sentence, Fault> 
         return Err(Fault::claims(key.span, "\"solves\" is allowed for an equation only")
             .help("in a sentence, use \"solutions\", \"of\" and \"for\""));
     }
-    let missing = || Fault::claims(json.span, "a sentence needs \"quote\"").help("quote the notes, word for word");
+    let missing = || {
+        Fault::claims(json.span, "a sentence needs \"quote\"")
+            .help("write the sentence of the notes under \"quote\", word for word")
+    };
     let quote = fields.text("quote")?.ok_or_else(missing)?;
     let test = test(&fields, source)?;
     // `conserved` is the test itself here, not a word on the quoted formula.
@@ -110,7 +113,11 @@ pub(super) fn sentence(json: &Json, source: &Source) -> Result<Sentence, Fault> 
 }
 
 fn test(fields: &Fields<'_>, source: &Source) -> Result<Test, Fault> {
-    fields.together("refers to", "containing", "\"containing\" is a formula that the cited equation must contain")?;
+    fields.together(
+        "refers to",
+        "containing",
+        "write the number under \"refers to\", and a formula that this equation must contain under \"containing\"",
+    )?;
     let tests = ["claim", "not always", "conserved", "of", "refers to"];
     let mut present = tests.iter().filter_map(|name| fields.entry(name));
     let first = present.next();
@@ -123,7 +130,7 @@ fn test(fields: &Fields<'_>, source: &Source) -> Result<Test, Fault> {
         && let Some((key, _)) = OF.iter().find_map(|name| fields.entry(name))
     {
         return Err(Fault::claims(key.span, format!("\"{}\" needs \"of\" beside it", key.value))
-            .help("\"of\" names the expression"));
+            .help("write the expression under \"of\""));
     }
     if fields.get("solutions").is_none()
         && let Some((key, _)) = fields.entry("for")
@@ -148,9 +155,8 @@ fn of(fields: &Fields<'_>, key: &Text, of: Text, source: &Source) -> Result<Test
     let mut present = OF.iter().filter_map(|name| fields.entry(name));
     let list = || OF.iter().map(|name| format!("\"{name}\"")).collect::<Vec<_>>().join(", ");
     let Some((property, json)) = present.next() else {
-        return Err(
-            Fault::claims(key.span, "\"of\" needs a property of the expression").help(format!("add one of {}", list()))
-        );
+        return Err(Fault::claims(key.span, "this sentence says nothing about the expression under \"of\"")
+            .help(format!("add one of {}", list())));
     };
     if let Some((second, _)) = present.next() {
         let message =
@@ -174,7 +180,7 @@ fn of(fields: &Fields<'_>, key: &Text, of: Text, source: &Source) -> Result<Test
             let count = fields::count(json, name)?;
             let Some(unknown) = fields.text("for")? else {
                 return Err(Fault::claims(property.span, "\"solutions\" needs \"for\" beside it")
-                    .help("\"for\" names the unknown"));
+                    .help("write the unknown under \"for\""));
             };
             return Ok(Test::Solutions { count, of: Address::parse(&of, source)?, unknown });
         }

@@ -30,7 +30,7 @@ pub(super) fn axes(fields: &Fields<'_>, source: &Source) -> Result<Vec<(Text, Sp
             Some(rate) if !rate.is_empty() => Spanned::new(Axes::TurningWith(rate.to_owned()), value.span),
             _ if text == "fixed" => Spanned::new(Axes::Fixed, value.span),
             _ => {
-                return Err(Fault::claims(value.span, format!("axes cannot be \"{text}\""))
+                return Err(Fault::claims(value.span, format!("\"{text}\" does not say how these axes move"))
                     .help("use \"fixed\" or \"turning with \\\\vec\\\\omega\""));
             }
         };
@@ -61,7 +61,7 @@ pub(super) fn components(fields: &Fields<'_>, source: &Source) -> Result<Vec<(Te
             })?;
             if let Some(second) = vectors.get(1) {
                 return Err(Fault::claims(second.span, "two vectors cannot share the names of their components")
-                    .help("give each vector its own line"));
+                    .help("write one line for each vector, with names of its own"));
             }
             Components::Names(names)
         };

@@ -57,7 +57,7 @@ impl Project {
         let text = &file.text;
         self.bytes += text.len();
         if self.bytes > LARGEST {
-            return Err(Error::new(format!("{} is too large with the files that it puts in", file.path)));
+            return Err(Error::new(format!("{} and the files that it includes are too large together", file.path)));
         }
         let (mut at, mut end) = (0, text.len());
         // A part that is also a document of its own.
@@ -110,7 +110,8 @@ impl Project {
         });
         let Some(path) = choices.into_iter().find(|path| path.is_file()) else {
             let fault = Fault::notes(place, format!("the file {name} is not there"));
-            self.absent.push(Error::fault(file, fault.help("correct its name; what it contains was not checked")));
+            self.absent
+                .push(Error::fault(file, fault.help("correct the name; the contents of this file were not checked")));
             return Ok(());
         };
         let canonical = path.canonicalize().unwrap_or_else(|_| path.clone());

@@ -37,16 +37,16 @@ pub(super) fn of_verdict(verdict: Verdict) -> &'static str {
         Verdict::Certified => {
             r"The equation holds, and exact arithmetic confirms it.
 
-The equation was `verified` first. Then it was decided over a prime field, where numbers are exact.
-The report gives a bound on the probability that the decision is an accident: at most 2^-80.
+The equation was `verified` first. Then it was tested again over a prime field, where nothing is rounded.
+The report gives a bound on the probability that the equation is false all the same: at most 2^-80.
 
 There is nothing to do."
         }
         Verdict::Verified => {
             r"The equation holds at every sampled state.
 
-The states also tell it from its mutants: the same equation with one mistake in it fails at one of them.
-A prime field cannot decide it; `onshell check --verbose` says why.
+With one mistake in it, the same equation fails at one of these states. So the test would have found the mistake.
+Exact arithmetic cannot decide the equation; `onshell check --verbose` says why.
 
 There is nothing to do."
         }
@@ -59,9 +59,9 @@ or if the claims file lists the symbol under `define`.
 There is nothing to do."
         }
         Verdict::Law => {
-            r#"The equation is a law that the claims file declares.
+            r#"The claims file declares that the equation is a law.
 
-A law is assumed and cannot be checked here. The equations that need it are checked with it, and say so.
+A law is taken for granted and not checked. The equations that need it are checked with it, and say so.
 
 Check by eye that a law is printed correctly."#
         }
@@ -69,7 +69,7 @@ Check by eye that a law is printed correctly."#
             r"The display does not follow from the others, and it is taken for granted.
 
 This verdict is given in notes without a claims file. A law, a condition or a value cannot follow from anything.
-The display would be called wrong if one likely slip lay between it and an equation that is certified.
+The display would be called wrong if one likely slip could turn a certified equation into it.
 
 Check by eye that it is printed correctly, or write a claims file that says what must be checked."
         }

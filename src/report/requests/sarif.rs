@@ -56,7 +56,7 @@ fn result(problem: &Problem<'_>, codes: &[Code]) -> Value {
     }
     let fixes = problem.edits.iter().map(|(edit, verdict)| {
         json!({
-            "description": { "text": format!("With this edit it would be {verdict}") },
+            "description": { "text": format!("With this edit the verdict would be {verdict}") },
             "artifactChanges": [{
                 "artifactLocation": artifact(&edit.place),
                 "replacements": [{

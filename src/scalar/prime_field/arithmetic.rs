@@ -132,14 +132,14 @@ impl<F: Modulus> Arithmetic for Modular<F> {
         if (2.0 * n).fract() == 0.0 && n.abs() <= 512.0 {
             return self.root().power((2.0 * n) as i32);
         }
-        Self::refused("a power that is neither whole nor half")
+        Self::refused("an exponent that is neither a whole number nor half of one")
     }
 
     fn rational_power(self, n: Ratio) -> Self {
         match i32::try_from(n.numerator) {
             Ok(numerator) if n.denominator == 1 && numerator.abs() <= 1024 => self.power(numerator),
             Ok(numerator) if n.denominator == 2 && numerator.abs() <= 1024 => self.root().power(numerator),
-            _ => Self::refused("a power that is neither whole nor half"),
+            _ => Self::refused("an exponent that is neither a whole number nor half of one"),
         }
     }
 
@@ -172,7 +172,7 @@ impl<F: Modulus> Arithmetic for Modular<F> {
     }
 
     fn angle_from(self, _: Self) -> Self {
-        Self::refused("the angle of a point")
+        Self::refused("an angle that is computed from two coordinates")
     }
 
     fn sine_cosine(self) -> (Self, Self) {

@@ -177,7 +177,7 @@ impl<F: Modulus> Evaluation<F> {
         }
         // What is not finite stands for a number that is not there, and is not used.
         if x.is_finite() {
-            self.fault("a constant of a function in Rust that is no short decimal");
+            self.fault("a constant of a function in Rust that is not a short decimal number");
         }
         let size = Size { degree: 0, norm: f64::INFINITY };
         ConstantInField { value: Residue::ZERO, size, denominator: 0, ratio: None, angle: None }

@@ -213,7 +213,8 @@ impl<F: Modulus> Modular<F> {
                 return Self::refused("a quotient whose denominator is 0 at the sampled point");
             }
             with_evaluation(|evaluation: &mut Evaluation<F>| {
-                evaluation.comparisons.record.undefined_here = Some("a denominator that vanishes")
+                evaluation.comparisons.record.undefined_here =
+                    Some("a quotient whose denominator is 0 at the sampled points")
             });
             return Self::ZERO;
         }

@@ -140,7 +140,8 @@ impl<F: Modulus> SquareRoots<F> {
                     return known;
                 }
                 let Some(root) = magnitude.or_else(|| self.roots[place].radicand.root()) else {
-                    comparisons.record.undefined_here = Some("a square root that this field does not have");
+                    comparisons.record.undefined_here =
+                        Some("a square root of a number that has none modulo the prime");
                     return (Residue::ONE, 0);
                 };
                 let negative = self.signs.checked_shr(comparisons.record.roots).unwrap_or(0) & 1 == 1;

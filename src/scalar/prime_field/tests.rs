@@ -147,7 +147,7 @@ fn what_a_field_cannot_decide_is_said() {
         (decide::<FirstPrime>(&Order, 1), "an absolute value, or which of two numbers is larger"),
         (decide::<FirstPrime>(&Magnitude, 1), "an absolute value, or which of two numbers is larger"),
         (decide::<FirstPrime>(&Huge, 1), "coefficients too large"),
-        (decide::<FirstPrime>(&RoundedPi, 1), "a constant of a function in Rust that is no short decimal"),
+        (decide::<FirstPrime>(&RoundedPi, 1), "a constant of a function in Rust that is not a short decimal number"),
     ] {
         assert_eq!(refused, Err(why));
     }

@@ -219,9 +219,9 @@ fn what_is_no_lagrangian_is_refused_with_its_place_and_advice() {
             "free",
             r"L = \frac12 m \dot\theta^2 + f",
             json!({ "varies with time": { "f": "any" } }),
-            &["f, which varies freely", "of t"],
+            &["nothing says how f varies with time", "of t"],
         ),
-        ("circle", r"L = \frac12 p_\theta^2", json!({}), &["L contains p_θ, which follows from L"]),
+        ("circle", r"L = \frac12 p_\theta^2", json!({}), &["L contains p_θ, which is itself derived from L"]),
     ] {
         let mut all = pendulum();
         all["constants"] = json!({ "m, g, l, a, b": "> 0" });

@@ -86,7 +86,7 @@ fn not_found() {
         ("`\\dot y`", "no display in notes contains"),
         ("`\\dot z`", "2 displays match"),
         ("dup", "2 displays match"),
-        ("6.73 .. 6.72", "ends before it begins"),
+        ("6.73 .. 6.72", "stands before the first"),
         ("every `\\dot z` .. 6.78", "one equation"),
     ] {
         let error = resolve(address).unwrap_err();

@@ -168,7 +168,7 @@ fn keys() {
     }
     assert!(refused(&with("\"equations\": { \"6.1\": { \"units\": \"on\" } }")).0.contains("off"));
     assert!(refused("{ \"equations\": {} }").0.contains("needs \"notes\""));
-    assert!(refused("[]").0.contains("must be an object, not a list"));
+    assert!(refused("[]").0.contains("must be an object, { … }, not a list"));
 }
 
 #[test]
@@ -177,11 +177,11 @@ fn types() {
         ("\"assume\": 1", "a string or a list of strings, not a number"),
         ("\"system\": []", "a name or an object"),
         ("\"constants\": { \"M\": 1 }", "a string, not a number"),
-        ("\"equations\": []", "an object, not a list"),
-        ("\"equations\": { \"6.1\": true }", "an object, not true or false"),
+        ("\"equations\": []", "an object, { … }, not a list"),
+        ("\"equations\": { \"6.1\": true }", "an object, { … }, not true or false"),
         ("\"sentences\": {}", "a list, not an object"),
         ("\"equations\": { \"6.1\": { \"conserved\": 1 } }", "true or LaTeX"),
-        ("\"equations\": { \"6.1\": { \"conserved\": false } }", "no value but true"),
+        ("\"equations\": { \"6.1\": { \"conserved\": false } }", "is true"),
         ("\"equations\": { \"6.1\": { \"times\": \"2\" } }", "\"times\" is not supported yet"),
         ("\"equations\": { \"6.1\": { \"assume\": [] } }", "empty list"),
         ("\"equations\": { \"6.1\": { \"skip\": \"\" } }", "empty"),
@@ -209,7 +209,7 @@ fn keys_that_need_each_other() {
     assert!(sentence("\"claim\": \"x\"").contains("needs \"quote\""));
     assert!(sentence("\"quote\": \"q\", \"claim\": \"x\", \"not always\": \"x\"").contains("one test"));
     assert!(sentence("\"quote\": \"q\", \"minima\": 1").contains("needs \"of\""));
-    assert!(sentence("\"quote\": \"q\", \"of\": \"U\"").contains("needs a property of the expression"));
+    assert!(sentence("\"quote\": \"q\", \"of\": \"U\"").contains("says nothing about the expression under \"of\""));
     assert!(sentence("\"quote\": \"q\", \"of\": \"U\", \"minima\": 1, \"sign\": \"positive\"").contains("one test"));
     assert!(sentence("\"quote\": \"q\", \"of\": \"6.1\", \"solutions\": 1").contains("needs \"for\""));
     assert!(sentence("\"quote\": \"q\", \"of\": \"U\", \"sign\": \"up\"").contains("cannot be"));

@@ -83,7 +83,7 @@ fn motions_of_vectors() {
         ["rigid", "rigid, turning", "rigid, turning with", "rigid turning with x", "rigid, turning with x about"]
     {
         let error = range("varies with time", text).unwrap_err();
-        assert!(error.advice().unwrap().contains("as in \"rigid, turning with"), "{error}");
+        assert!(error.advice().unwrap().contains("write \"rigid, turning with"), "{error}");
         assert_eq!(pointed(&error), format!("\"{text}\""));
     }
 }
@@ -176,10 +176,10 @@ fn continua_that_are_none() {
     for (inside, word, at) in [
         ("\"uniform\": true", "the density of V is missing", "{ \"uniform\": true }"),
         (&format!("{per_volume}, \"mass per area\": \"s(x)\""), "cannot both be given", "\"mass per volume\""),
-        (r#""mass per volume": "\\rho""#, "does not name the point", r#""\\rho""#),
-        (r#""mass per volume": "(\\vec r)""#, "does not name the point", r#""(\\vec r)""#),
+        (r#""mass per volume": "\\rho""#, "does not name the density and the point", r#""\\rho""#),
+        (r#""mass per volume": "(\\vec r)""#, "does not name the density and the point", r#""(\\vec r)""#),
         (&format!("{per_volume}, \"particles\": \"m_i\""), "does not name a mass and its position", "\"m_i\""),
-        (&format!("{per_volume}, \"uniform\": false"), "takes no value but true", "false"),
+        (&format!("{per_volume}, \"uniform\": false"), "the only value of \"uniform\" is true", "false"),
         (&format!("{per_volume}, \"made of\": []"), "must be a list of bodies", "[]"),
         (
             &format!("{per_volume}, \"made of\": [{{ \"at\": \"x\" }}]"),

@@ -130,7 +130,7 @@ impl Checker<'_> {
                 let shown_value = |value: &Expr| text::formula(value, &self.model.symbols);
                 let values: Vec<String> =
                     values.iter().map(|(id, value)| format!("{} = {}", name(*id), shown_value(value))).collect();
-                context.finding(Code::Introduced, Verdict::Definition, format!("puts in {}", values.join(", ")))
+                context.finding(Code::Introduced, Verdict::Definition, format!("inserts {}", values.join(", ")))
             }
             None => {
                 let message = format!(
@@ -233,7 +233,10 @@ fn misfit_of_terms(trouble: &Trouble, side: &Expr, context: &Context<'_>) -> Opt
     let Trouble::Misfit(units) = trouble else { return None };
     let [first, second] = units.as_ref();
     if quantity::any_unit(side, |unit| unit.is_natural()) {
-        return Some(undecided(context, "terms with different units are equal only where constants of nature are 1"));
+        return Some(undecided(
+            context,
+            "the units of the terms fit only if constants of nature are 1, so this was not decided",
+        ));
     }
     let message = format!("the units do not fit: {first} and {second} are added");
     Some(context.finding(Code::NumbersDiffer, Verdict::Refuted, message))
@@ -247,8 +250,8 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
             Ok(found) => values.push(found),
             Err(trouble) => {
                 return misfit_of_terms(&trouble, side, context).unwrap_or_else(|| match trouble {
-                    Trouble::LacksUnit => undecided(context, "a term has no unit beside one that has"),
-                    _ => undecided(context, "this formula of numbers has no value here"),
+                    Trouble::LacksUnit => undecided(context, "one term has a unit, and another term has none"),
+                    _ => undecided(context, "the value of this formula could not be computed"),
                 });
             }
         }
@@ -294,7 +297,9 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
             ratio if ratio <= 10.0_f64.sqrt() => {
                 context.verified("the numbers have the same order of magnitude", "rounded numbers")
             }
-            _ => undecided(context, "a power of ten may be a rough order of magnitude"),
+            _ => {
+                undecided(context, "the numbers differ, but a power of ten may be meant as a rough order of magnitude")
+            }
         };
     }
     // One of a unit is exact: a conversion that is off by more than a rough value is wrong.
@@ -358,14 +363,14 @@ fn by_custom(sides: [&Expr; 2], [a, b]: [Quantity; 2]) -> Option<&'static str> {
     let is_ratio = |wanted: f64| [a.value / b.value, b.value / a.value].iter().any(|r| (r / wanted - 1.0).abs() < NEAR);
     let any_unit = |is_it: fn(Unit) -> bool| sides.iter().any(|side| quantity::any_unit(side, is_it));
     if any_unit(|unit| unit.is_sign() && !unit.is_degree()) && is_ratio(100.0) {
-        return Some("a factor of 100 may be meant as the percent sign");
+        return Some("the two sides differ by a factor of 100, which may come from the percent sign");
     }
     if a.dimension == Dimension::of(0, 0, -1) && is_ratio(TAU) {
-        return Some("a number of turns may be meant as an angle");
+        return Some("the two sides differ by a factor of 2π: one may count turns, and the other may be an angle");
     }
     let in_degrees = any_unit(Unit::is_degree);
     (!in_degrees && sides.iter().any(|side| quantity::has_inverse(side)))
-        .then_some("the angle may be printed in degrees without their sign")
+        .then_some("the numbers differ, but the angle may be in degrees without the sign °")
 }
 
 /// The finding on two quantities with different units.
@@ -377,16 +382,19 @@ fn of_units(sides: [&Expr; 2], [a, b]: [Quantity; 2], context: &Context<'_>) -> 
     };
     let is_natural = sides.iter().any(|side| quantity::any_unit(side, |unit| unit.is_natural()));
     if sides.iter().any(|side| quantity::any_unit(side, |unit| unit.is_doubtful())) {
-        return undecided(context, "a letter may be another unit here: C a degree of temperature, g an acceleration");
+        return undecided(
+            context,
+            "the units differ, but a letter may have another meaning here: C as °C, or g as the acceleration",
+        );
     }
     if a.dimension.is_none() || b.dimension.is_none() {
         return undecided(context, "one side has a unit, and the other is a number without a unit");
     }
     if is_count(b.dimension) {
-        return undecided(context, "a number of moles is compared with a number");
+        return undecided(context, "the units differ only in mol, so this was not decided");
     }
     if is_natural || natural::are_equal(a, b) {
-        return undecided(context, "the units agree only where constants of nature are 1");
+        return undecided(context, "the units agree only if constants of nature are 1, so this was not decided");
     }
     let message =
         format!("the units do not fit: the left side is in {}, the right side in {}", a.dimension, b.dimension);

@@ -21,7 +21,10 @@ use crate::check::verdict::finding::Finding;
 pub(crate) fn check(charge: &Expr, change: &[(SymbolId, Expr)], context: &Context<'_>) -> Result<Finding> {
     let undecided = |message: String| Ok(context.finding(Code::NotSupported, Verdict::Undecided, message));
     let Some(lagrangian) = lagrangian(context) else {
-        return undecided("a symmetry needs a Lagrangian that the notes define; give it under \"means\"".to_owned());
+        return undecided(
+            "a symmetry needs a Lagrangian that the notes define; write \"means\": { \"L\": \"Lagrangian\" }"
+                .to_owned(),
+        );
     };
     let mut terms = Vec::new();
     for (q, change) in change {
@@ -42,8 +45,8 @@ pub(crate) fn check(charge: &Expr, change: &[(SymbolId, Expr)], context: &Contex
             "this is the charge of this symmetry by Noether's theorem, and so constant on shell"
         }
         Verdict::Refuted => {
-            "this is not Noether's charge of the change of the coordinates: its rate, below on the left side, is not Σ (d/dt ∂L/∂q̇ − \
-             ∂L/∂q) δq; either L does not have this symmetry, or the charge is another one"
+            "this is not the Noether charge of this symmetry: its time derivative (left side below) is not Σ (d/dt \
+             ∂L/∂q̇ − ∂L/∂q) δq; either L does not have this symmetry, or the charge is wrong"
         }
         _ => return Ok(found),
     };

@@ -90,7 +90,9 @@ pub(crate) fn check(claimed: Equilibrium, context: &Context<'_>) -> Result<Findi
         if !found.verdict.holds() {
             let moves = found.verdict == Verdict::Refuted;
             let message = match (moves, claimed) {
-                (true, Equilibrium::Steady) => "an acceleration that is 0 in steady motion is not 0 here".to_owned(),
+                (true, Equilibrium::Steady) => "the system does not stay on this steady motion: an acceleration that \
+                                                should be 0 is not 0"
+                    .to_owned(),
                 (true, _) => "the system does not stay at rest here: an acceleration is not 0".to_owned(),
                 (false, _) => found.message.clone(),
             };
@@ -162,7 +164,7 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
         Ok(!refuted)
     };
     if !minors(&masses).iter().map(is_positive).collect::<Result<Vec<_>>>()?.into_iter().all(|positive| positive) {
-        return open("the mass matrix may not be positive");
+        return open("the mass matrix may not be positive definite");
     }
     let is_minimum = all(&minors(&stiffness), Relation::Greater)?;
     let is_stable = claimed == Equilibrium::Stable;
@@ -170,13 +172,16 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
         let tested = Finding {
             verdict: Verdict::Verified,
             false_accept_log2: None,
-            not_certified_because: Some("an inequality, which has no meaning modulo a prime".to_owned()),
+            not_certified_because: Some("an inequality, because only an equality can have a certificate".to_owned()),
             ..rest.clone()
         };
         return Ok(match is_stable {
-            true => Finding { message: format!("{}; it is stable, a minimum of the energy", rest.message), ..tested },
+            true => Finding {
+                message: format!("{}; it is stable, because the energy has a minimum here", rest.message),
+                ..tested
+            },
             false => Finding {
-                message: format!("{}, and it is stable, a minimum of the energy", rest.message),
+                message: format!("{}, but it is stable, because the energy has a minimum here", rest.message),
                 code: Code::SidesDiffer,
                 verdict: Verdict::Refuted,
                 not_certified_because: None,
@@ -206,7 +211,7 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
             message: format!("{}; it is unstable", rest.message),
             verdict: Verdict::Verified,
             false_accept_log2: None,
-            not_certified_because: Some("an inequality, which has no meaning modulo a prime".to_owned()),
+            not_certified_because: Some("an inequality, because only an equality can have a certificate".to_owned()),
             ..rest
         }),
         // Stability is claimed of all states, and one with a negative direction refutes it.
@@ -214,7 +219,7 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
             let found = identity::check(&signed(&minor, Relation::GreaterEqual), &context.quick())?;
             Ok(Finding { message: format!("{}, but it is not stable", rest.message), ..found })
         }
-        _ => open("the second derivatives of the Lagrangian do not decide it at every sampled state"),
+        _ => open("at some sampled states the second derivatives of the Lagrangian do not decide it"),
     }
 }
 

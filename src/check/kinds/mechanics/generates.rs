@@ -16,6 +16,7 @@ use crate::formula::evaluate::{Unavailable, evaluate, evaluate_to};
 use crate::formula::{Expr, Node, SymbolId, Value, text};
 use crate::scalar::prime_field::Modulus;
 use crate::scalar::{Modular, RunningError, Series};
+use crate::suggest::in_json;
 
 use crate::check::certificate::claim::{Claim, Differences};
 use crate::check::certificate::decide;
@@ -45,7 +46,8 @@ fn judged(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
         return Ok(context.finding(
             Code::NoMotion,
             Verdict::Undecided,
-            "there is no system whose motion the formula could generate; name a \"system\"",
+            "there is no system whose motion the formula could generate; name a \"system\", or a Lagrangian under \
+             \"means\"",
         ));
     }
     let varied = match independent_names(hamiltonian, context) {
@@ -123,9 +125,10 @@ fn judged(hamiltonian: &Expr, context: &Context<'_>) -> Result<Finding> {
 fn independent_names(hamiltonian: &Expr, context: &Context<'_>) -> Independent<Vec<Vec<SymbolId>>> {
     let model = context.model;
     if let Some(name) = fixed_by_the_state(hamiltonian, model) {
+        let name = text::plain(&name);
         let message = format!(
-            "{} is not a coordinate or a momentum; give its formula in these under \"define\"",
-            text::plain(&name)
+            "{name} is neither a coordinate nor a momentum; under \"define\", write {name} as a formula of \
+             coordinates and momenta"
         );
         return Err(Box::new(context.finding(Code::NotIndependent, Verdict::Undecided, message)));
     }
@@ -137,8 +140,12 @@ fn independent_names(hamiltonian: &Expr, context: &Context<'_>) -> Independent<V
     let coordinates: Vec<SymbolId> = model.coordinates.iter().map(|v| v.symbol).collect();
     let momenta: Vec<Vec<SymbolId>> = (0..coordinates.len()).map(|k| named(Quantity::Momentum(k))).collect();
     if let Some(k) = momenta.iter().position(Vec::is_empty) {
-        let coordinate = text::plain(&model.name(coordinates[k]));
-        let message = format!("the momentum of {coordinate} has no name; give it one under \"means\"");
+        let latex = model.name(coordinates[k]);
+        let message = format!(
+            "the momentum of {} has no name; write \"means\": {{ \"p\": {} }} with its name in the notes in place of p",
+            text::plain(&latex),
+            in_json(&format!("momentum of {latex}"))
+        );
         return Err(Box::new(context.finding(Code::UndeclaredName, Verdict::Undecided, message)));
     }
     // The names of each coordinate and of each momentum.

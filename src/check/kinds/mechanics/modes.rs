@@ -99,10 +99,12 @@ pub(crate) fn secular_equation(link: &Link, omega: SymbolId, context: &Context<'
         printed.symbols().iter().any(|(id, _)| *id != omega && context.model.depends_on(&symbol(*id, 0), &[omega]));
     let does_not_fit = |message: &str| Ok(context.finding(Code::ClaimDoesNotFit, Verdict::Undecided, message));
     if is_hidden {
-        return does_not_fit("a name in this equation is defined by the frequency; write the frequency itself");
+        return does_not_fit(
+            "the definition of a name in this equation contains the frequency; write the frequency itself",
+        );
     }
     if !context.model.depends_on(&printed, &[omega]) {
-        return does_not_fit("this is no equation for the frequency, since it does not depend on it");
+        return does_not_fit("this equation does not contain the frequency, so it cannot be the secular equation");
     }
     // Two functions are proportional if f(ω) g(1) = f(1) g(ω).
     let at_one = |of: &Expr| {
@@ -132,7 +134,7 @@ pub(crate) fn secular_equation(link: &Link, omega: SymbolId, context: &Context<'
         }
     }
     if found.verdict.holds() && is_zero(&printed, context)? {
-        return does_not_fit("both sides are equal for every frequency, so this is no equation for it");
+        return does_not_fit("both sides are equal for every frequency, so this cannot be the secular equation");
     }
     let message = match found.verdict {
         verdict if verdict.holds() && pencil.is_massless(context)? => return Ok(unsupported(context)),
@@ -166,7 +168,8 @@ fn fails(link: &Link, context: &Context<'_>) -> Result<bool> {
 }
 
 fn unsupported(context: &Context<'_>) -> Finding {
-    let message = "the second derivatives of the Lagrangian at rest cannot be formed as formulas";
+    let message = "the normal frequencies cannot be derived from the second derivatives of the Lagrangian at rest, so \
+                   this was not decided";
     context.finding(Code::NotSupported, Verdict::Undecided, message)
 }
 

@@ -30,7 +30,7 @@ const BOOLE: [(u32, u32); 5] = [(0, 7), (1, 32), (2, 12), (3, 32), (4, 7)];
 pub(crate) fn check(ours: &Expr, other: &Expr, context: &Context<'_>) -> Result<Finding> {
     let shown = text::formula(other, &context.model.symbols);
     let unsupported = || {
-        let message = format!("the equations of motion of this or of {shown} cannot be formed as formulas");
+        let message = format!("the equations of motion of this Lagrangian or of {shown} cannot be formed as formulas");
         context.finding(Code::NotSupported, Verdict::Undecided, message)
     };
     let coordinates = coordinates(context);
@@ -42,7 +42,8 @@ pub(crate) fn check(ours: &Expr, other: &Expr, context: &Context<'_>) -> Result<
     let (Some(of_ours), Some(of_other)) = (equations(ours), equations(other)) else { return Ok(unsupported()) };
     let opened = |side: &Expr| written_out(side, context);
     if opened(ours) == opened(other) {
-        let message = "this is the same formula, so nothing is checked; print the Lagrangian that is claimed";
+        let message =
+            format!("this is the same formula as {shown}, so nothing is checked; print another Lagrangian here");
         return Ok(context.finding(Code::SameFormula, Verdict::Undecided, message));
     }
     let off_shell = Context { on_shell: Some(false), ..*context }.quick();
@@ -59,7 +60,10 @@ pub(crate) fn check(ours: &Expr, other: &Expr, context: &Context<'_>) -> Result<
     }
     if let Some((factor, found)) = factor((ours, &of_ours), (other, &of_other), &coordinates, &off_shell)? {
         let factor = printed(&factor, &off_shell).unwrap_or_else(|| "a constant".to_owned());
-        return Ok(Finding { message: format!("gives the same motion as {shown}; it is {factor} times it"), ..found });
+        return Ok(Finding {
+            message: format!("gives the same motion as {shown}; it is {factor} times {shown}"),
+            ..found
+        });
     }
     let message = format!("this does not give the same motion as {shown}");
     let refuted = Finding { message, code: Code::SidesDiffer, ..found };
@@ -75,7 +79,8 @@ pub(crate) fn check(ours: &Expr, other: &Expr, context: &Context<'_>) -> Result<
         return Ok(refuted);
     }
     let message = format!(
-        "the equations of motion of this differ from those of {shown} one by one; whether the motion is the same was not decided"
+        "the equations of motion are not those of {shown} one by one; combined, they may give the same motion, so \
+         this was not decided"
     );
     Ok(context.finding(Code::NotDecided, Verdict::Undecided, message))
 }

@@ -57,8 +57,8 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
         if dots > 0 || matches!(model.meaning(id), Some(Meaning::System(quantity)) if !is_momentum(*quantity)) {
             let shown = crate::formula::text::with_dots(&model.name(id), dots);
             let message = format!(
-                "the motion determines {shown}, and such a claim needs a formula in declared symbols without derivatives; name \
-                 such a formula"
+                "this claim is not supported for {shown}, which the motion determines; use a formula of declared \
+                 symbols without time derivatives"
             );
             return context.finding(Code::NotIndependent, Verdict::Unreadable, message);
         }
@@ -80,7 +80,8 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
         let message = match shape {
             Shape::Solutions(_) => {
                 format!(
-                    "solutions for {name} are counted in its range; declare the range, and assume nothing about {name}"
+                    "solutions for {name} are counted in its declared range; remove the hypotheses about {name}, and \
+                     declare that range instead"
                 )
             }
             _ => {
@@ -119,7 +120,7 @@ pub fn check(function: &Expr, variable: SymbolId, shape: &Shape, context: &Conte
         );
         return Finding { points, tried, ..context.finding(Code::TooFewStates, Verdict::Undecided, message) };
     }
-    let message = format!("holds at {points} sampled states, special ones included");
+    let message = format!("holds at {points} sampled states, including special values");
     Finding { points, tried, ..context.verified(message, NO_EQUALITY) }
 }
 

@@ -271,8 +271,8 @@ impl Probe<'_> {
         match shape {
             Shape::ChangesSign if !positive => fails(format!("the function is nowhere positive along {name}")),
             Shape::ChangesSign if !negative => fails(format!("the function is nowhere negative along {name}")),
-            Shape::Positive if !positive => fails(format!("it vanishes all along {name}")),
-            Shape::Negative if !negative => fails(format!("it vanishes all along {name}")),
+            Shape::Positive if !positive => fails(format!("the function is 0 for every {name}")),
+            Shape::Negative if !negative => fails(format!("the function is 0 for every {name}")),
             Shape::Rises | Shape::Falls if last_slope == 0.0 => {
                 fails(format!("the function does not change along {name}"))
             }
@@ -378,8 +378,8 @@ impl Probe<'_> {
             Course::Open => {
                 let name = typeset_name(self.model, self.variable);
                 let message = format!(
-                    "close to the limit the values of the function do not decide this; assume more about its symbols, or \
-                     name another range for {name}"
+                    "the values of the function close to the limit do not decide this; assume more about its symbols, \
+                     or declare another range for {name}"
                 );
                 Observation::Open(Code::NotDecided, message)
             }

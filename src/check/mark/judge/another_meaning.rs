@@ -201,8 +201,9 @@ impl Judge<'_, '_> {
                 squares |= power.as_digits() == Some("2") && base.symbols().iter().any(is_rate);
             });
         }
-        (is_energy && is_fixed && squares)
-            .then(|| format!("seems to mean an energy by {}, which is something else in the problem", self.shown(id)))
+        (is_energy && is_fixed && squares).then(|| {
+            format!("seems to use {} for an energy, but this letter is something else in the problem", self.shown(id))
+        })
     }
 
     /// A reading in which t is the time that runs, also where it was taken for an instant.
@@ -247,7 +248,7 @@ impl Judge<'_, '_> {
         let names =
             moving(self.quiet.model).into_iter().chain(self.breaks.iter().map(|(id, _)| *id)).collect::<Vec<_>>();
         let is_about = pair.iter().any(|side| self.quiet.model.depends_on(side, &names));
-        is_about.then(|| format!("may follow from {name}, which states what the problem does not"))
+        is_about.then(|| format!("may follow from {name}, a condition that the problem does not have"))
     }
 
     /// Why an inequality between quantities of the problem is not false: it holds for some values of them.

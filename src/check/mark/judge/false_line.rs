@@ -98,7 +98,7 @@ impl Judge<'_, '_> {
         }
         let is_phase = |statement: &&Statement| self.is_instant_of_a_phase(statement);
         if written.inline && written.continues.is_none() && !statements.is_empty() && statements.iter().all(is_phase) {
-            return Some(given("names an instant by its phase"));
+            return Some(given("defines an instant by its phase, as in ωt = π/2"));
         }
         if let Some(name) = vanishes(self.quiet, &statements).filter(|_| is_said) {
             self.breaks.push((name, written.name.clone()));
@@ -117,7 +117,7 @@ impl Judge<'_, '_> {
         }
         if self.has_unknown_instant(reading) {
             self.add_condition(at);
-            return Some(given("is a value at an instant, which the problem leaves open"));
+            return Some(given("is a value at an instant that the problem leaves open"));
         }
         None
     }
@@ -179,7 +179,7 @@ impl Judge<'_, '_> {
             return Ok(Some(right("follows from the problem, and its last member is a condition")));
         }
         if energies::has_another_zero(self.quiet, display, reading) {
-            return Ok(Some(right("agrees, with another zero of the potential energy")));
+            return Ok(Some(right("is correct, with another zero of the potential energy")));
         }
         if self.is_rounded(display, reading) {
             if let Some(why) = self.wrong_unit(at, reading) {
@@ -189,7 +189,7 @@ impl Judge<'_, '_> {
             return Ok(Some(right("agrees to the printed digits, with the numbers that are given")));
         }
         if let Some(name) = self.follows_with_a_later_line(at, reading) {
-            return Ok(Some(right(format!("follows with what {name} says"))));
+            return Ok(Some(right(format!("follows together with {name}"))));
         }
         if let Some(name) = self.follows_under_a_condition(reading) {
             return Ok(Some(right(format!("follows under the condition of {name}"))));

@@ -216,8 +216,10 @@ impl Judge<'_, '_> {
             (status, under) = (Status::Holds(Verdict::Verified), Some(Because::OtherOrder));
         }
         if matches!(status, Status::Open(..) | Status::False(_)) && self.is_right_with_units(display) {
-            (status, under) =
-                (Status::Holds(Verdict::Verified), Some("agrees to the printed digits, with letters as units".into()));
+            (status, under) = (
+                Status::Holds(Verdict::Verified),
+                Some("agrees to the printed digits, if its letters are read as units".into()),
+            );
         }
         if self.details && energies::is_sum_of_energies(self.quiet, &reading) {
             (line.mark, line.verdict) = (Mark::Wrong, Some(Verdict::Refuted));
@@ -358,7 +360,10 @@ impl Judge<'_, '_> {
             return (Status::Holds(Verdict::Verified), Some("follows for small motion about the place of rest".into()));
         }
         if self.holds_at_a_place(&checker, display, reading) {
-            return (Status::Holds(Verdict::Verified), Some("follows while the motion stays at the place".into()));
+            return (
+                Status::Holds(Verdict::Verified),
+                Some("follows while the coordinate keeps the value that the problem gives".into()),
+            );
         }
         if let Some((text, name)) = self.conditions.last() {
             let span = Span::default();

@@ -91,7 +91,7 @@ impl Course<'_, '_> {
         for place in &places {
             for (name, quantity) in quantities.iter().filter(|_| place.symbol == first.symbol) {
                 if self.is_flat(quantity, place)? == Some(true) {
-                    let message = format!("{name} has no slope there");
+                    let message = format!("the derivative of {name} is 0 at this place");
                     return Ok(Some(finding(Verdict::Verified, Code::Holds, message)));
                 }
             }
@@ -110,7 +110,7 @@ impl Course<'_, '_> {
             };
             if self.is_flat(quantity, &edited)? == Some(true) {
                 let repair = Repair::of(edit, display.body.start, Verdict::Verified);
-                let message = format!("{name} has a slope there");
+                let message = format!("the derivative of {name} is not 0 at this place");
                 let wrong = finding(Verdict::Refuted, Code::SidesDiffer, message);
                 return Ok(Some(Equation { repairs: vec![repair], ..wrong }));
             }

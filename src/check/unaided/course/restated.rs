@@ -135,7 +135,7 @@ impl Course<'_, '_> {
         }
         let sum = terms.join(" + ");
         let value = self.read_formula(&sum).filter(|_| terms.len() > 1)?;
-        let says = format!("{}, the sum of which the words speak", text::plain(&sum));
+        let says = format!("{}, the sum that the text before it names", text::plain(&sum));
         Some(Restated { said: Special { value, says }, is_direct: true })
     }
 

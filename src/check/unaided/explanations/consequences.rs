@@ -57,7 +57,7 @@ pub(super) fn excused(
         let name = found[at].id.clone();
         for other in others.into_iter().filter(|other| *other != at) {
             if is_wrong(&found[other]) {
-                found[other] = undecided(&found[other], format!("this is not wrong once ({name}) is corrected"));
+                found[other] = undecided(&found[other], format!("this is no longer wrong once ({name}) is corrected"));
             }
         }
     }

@@ -101,7 +101,7 @@ pub(super) fn weighed(run: &Run<'_>, notes: &Notes, found: &mut [Equation], judg
     };
     found[at] = refuted(&found[at], &repair, message);
     for place in wrong {
-        let message = format!("this is not wrong once ({}) is corrected", found[at].id);
+        let message = format!("this is no longer wrong once ({}) is corrected", found[at].id);
         found[place] = undecided(&found[place], message);
     }
     Ok(())

@@ -65,8 +65,8 @@ fn reason(role: &str, range: &str, usage: Option<&Usage>) -> String {
     let moves = "it has a dot or stands under d/dt";
     let role = match role {
         "means" => return format!("the {range}, because a display defines it and the notes speak of it"),
-        "formulas as names" => return "one quantity, because no part of it has a value here".to_owned(),
-        "functions" => return "a function, because names stand in parentheses behind it".to_owned(),
+        "formulas as names" => return "one quantity, because its parts have no values of their own".to_owned(),
+        "functions" => return "a function, because names stand in parentheses after it".to_owned(),
         "coordinates" => format!("a coordinate, because {moves} and the notes print a Lagrangian"),
         "varies with time" if usage.is_some_and(|usage| usage.moves) => format!("varies, because {moves}"),
         "varies with time" if usage.is_some_and(|usage| usage.conserved) => {

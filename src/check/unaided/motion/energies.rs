@@ -104,7 +104,7 @@ fn decide(
             found[at] = refuted(
                 &found[at],
                 &repair,
-                format!("this is not T − U, by ({other}), and other displays contradict it"),
+                format!("this is not T − U with the energies of ({other}), and other displays contradict it"),
             );
         }
         (_, Some(repair), true, false) if is_followed => {

@@ -26,7 +26,8 @@ pub(super) fn weighed(checker: &Checker<'_>, scope: &Scope, found: &mut [Equatio
             let has_one = symbols(checker, first + later).any(|(id, _)| forces.contains(&id));
             if !has_one && is_on_shell(equation) {
                 let message = format!(
-                    "this follows from the Lagrangian alone, but ({name}) has a force beside it, so this was not decided"
+                    "this follows from the Lagrangian alone, but ({name}) has a force that is not in the Lagrangian, \
+                     so this was not decided"
                 );
                 *equation = gate::settled(equation, (Verdict::Undecided, Code::NotDecided), message);
             }

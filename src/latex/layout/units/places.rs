@@ -410,7 +410,7 @@ fn attach(out: &mut Vec<Item>, mut units: Units) {
     {
         let place = out[*number].span.to(span);
         units.fault = Some(
-            Fault::ambiguous(place, "two quantities side by side may be a sum or a product: 5 min 30 s")
+            Fault::ambiguous(place, "two quantities side by side, as in 5 min 30 s, may be a sum or a product")
                 .help("write + or \\cdot between them"),
         );
     }

@@ -141,8 +141,9 @@ fn unit(word: &Word) -> Option<Units> {
         Unit::named(first).is_some() && Unit::named(second).is_some()
     };
     if word.is_unsure && word.letters.char_indices().skip(1).any(|(at, _)| is_two(at)) {
-        let message = format!("a macro wrote {}, which may be one unit or a product of two", word.letters);
-        found.fault = Some(Fault::ambiguous(word.span, message).help("put \\, between the units of a product"));
+        let message = format!("{} comes from a macro, and may be one unit or a product of two units", word.letters);
+        found.fault =
+            Some(Fault::ambiguous(word.span, message).help("in the macro, put \\, between the units of a product"));
     }
     if let Some(power) = word.power {
         found.raise(power, word.span);

@@ -37,7 +37,7 @@ impl Reader<'_> {
             return Err(Fault::new(span, "“otherwise” must be the last of the cases"));
         }
         match branches.len() {
-            0 => Err(Fault::new(span, "there are no cases")),
+            0 => Err(Fault::new(span, "this definition by cases has no rows")),
             _ => Ok(Expr::new(Node::Cases(branches), span)),
         }
     }
@@ -54,11 +54,17 @@ impl Reader<'_> {
                 | "validfor" | "validif" | "validwhen" | "holdsfor" | "holdsif" | "onlyfor" | "onlyif" | "" => {}
                 // Of several places the condition is one, and no state is at all of them.
                 "at" | "on" if rest.iter().any(|item| item.layout == Layout::Other(',')) => {
-                    return Err(Fault::unsupported(items[0].span, "several places in one condition are not supported")
-                        .help("write the equation for each place"));
+                    return Err(Fault::unsupported(
+                        items[0].span,
+                        "a condition with several places, as in “at x = 0, L”, is not supported",
+                    )
+                    .help("write the equation for each place"));
                 }
                 "at" | "on" => {}
-                _ => return Err(Fault::unsupported(items[0].span, format!("the condition “{word}” is not supported"))),
+                _ => {
+                    return Err(Fault::unsupported(items[0].span, format!("the condition “{word}” is not supported"))
+                        .help("write a comparison, such as x > 0"));
+                }
             }
             said = true;
             items = trimmed(rest);
@@ -84,8 +90,8 @@ impl Reader<'_> {
                 || matches!(&item.layout, Layout::Command(name) if name == "\\lor" || name == "\\vee")
         });
         if let Some(or) = or {
-            return Err(Fault::unsupported(or.span, "alternatives in a condition are not supported")
-                .help("write a row or a statement for each of them"));
+            return Err(Fault::unsupported(or.span, "“or” in a condition is not supported")
+                .help("write a row or a statement for each alternative"));
         }
         if let Some(comma) = outer_bounds(items) {
             return Err(Fault::ambiguous(comma.span, "the comma between these conditions may mean “and” or “or”")
@@ -101,7 +107,11 @@ impl Reader<'_> {
             let relations: Vec<_> = part.iter().filter_map(relation).collect();
             if relations.is_empty() {
                 let span = part.iter().map(|item| item.span).reduce(Span::to).unwrap_or(place);
-                let message = if said { "this condition compares nothing" } else { "this is not a condition" };
+                let message = if said {
+                    "this condition has no =, < or other relation"
+                } else {
+                    "a condition should stand here, but this has no =, < or other relation"
+                };
                 return Err(Fault::unsupported(span, message).help("write a comparison, such as x > 0"));
             }
             let mut members = Vec::new();
@@ -140,16 +150,14 @@ impl Stated {
     pub(in super::super::super) fn all(self, span: Span) -> Read<Vec<Condition>> {
         match self {
             Stated::Holds(conditions) => Ok(conditions),
-            Stated::Otherwise => {
-                Err(Fault::unsupported(span, "“otherwise” stands outside of cases, and is not supported there"))
-            }
+            Stated::Otherwise => Err(Fault::unsupported(span, "“otherwise” is supported only in a list of cases")),
         }
     }
 }
 
 fn no_condition(items: &[Item], span: Span) -> Fault {
     let span = items.iter().map(|item| item.span).reduce(Span::to).unwrap_or(span);
-    Fault::new(span, "this case has no condition").help("write it after &, as in x & x > 0")
+    Fault::new(span, "this case has no condition").help("write the condition after &, as in x & x > 0")
 }
 
 /// A row without `&`: the condition begins at a wide space, a comma or a word.

@@ -36,7 +36,7 @@ impl Reader<'_> {
                 head.span.to(argument.span),
                 format!("{} may be a part of a complex number or a name", part.name()),
             )
-            .help("put the argument in parentheses"));
+            .help("for the part, put the number in parentheses; for a name, use a letter with a subscript"));
         }
         let inner = self.item(argument)?;
         // Without declarations, only a complex number is said to have parts.

@@ -46,7 +46,7 @@ impl Reader<'_> {
                     side.span,
                     "a Poisson bracket of a vector or a matrix is not supported",
                 )
-                .help("write it for each component"));
+                .help("write the bracket for each component"));
             }
         }
         *cursor += 1;
@@ -61,8 +61,11 @@ impl Reader<'_> {
             let all = derivative::variables(side, scope).map_err(refused)?;
             if let Some(rate) = all.iter().find(|variable| variable.dots > 0) {
                 let name = text::plain(&self.symbols.entry(rate.id).name.to_string());
-                return Err(Fault::unsupported(side.span, format!("the rate of {name} stands in a Poisson bracket"))
-                    .help("write what is in the bracket in coordinates and momenta"));
+                return Err(Fault::unsupported(
+                    side.span,
+                    format!("a Poisson bracket contains the time derivative of {name}, which is not supported"),
+                )
+                .help("write the functions in the bracket in terms of coordinates and momenta"));
             }
         }
         let by = |side: &Expr, names: &[SymbolId]| -> Read<Vec<Expr>> {
@@ -105,7 +108,7 @@ impl Reader<'_> {
             let name = name.ok_or_else(|| {
                 Fault::unsupported(
                     below.span,
-                    "below a bracket only the names of coordinates and momenta are supported",
+                    "below a Poisson bracket, only the names of coordinates and momenta are supported",
                 )
             })?;
             let Some((id, _)) = self.symbols.find(&name.name) else {
@@ -115,7 +118,10 @@ impl Reader<'_> {
         }
         let half = found.len() / 2;
         if found.len() % 2 == 1 {
-            return Err(Fault::new(below.span, "each coordinate below a bracket needs its momentum"));
+            return Err(Fault::new(
+                below.span,
+                "each coordinate below a Poisson bracket needs its momentum, as in \\{f, g\\}_{q,p}",
+            ));
         }
         let is_alternating = found.chunks(2).all(|pair| self.symbols.entry(pair[1]).is_momentum());
         Ok(match is_alternating {
@@ -131,8 +137,11 @@ impl Reader<'_> {
             let pairs = pairs_by_name(self.symbols);
             return match pairs.is_empty() {
                 false => Ok(pairs),
-                true => Err(Fault::unsupported(span, "nothing says what the coordinates and momenta of this bracket are")
-                    .help("write them below it, as in \\{f, g\\}_{q,p}, or declare \"coordinates\" and a Lagrangian or a Hamiltonian")),
+                true => Err(Fault::unsupported(span, "the coordinates and momenta of this bracket are not known")
+                    .help(
+                        "write them below the bracket, as in \\{f, g\\}_{q,p}, or \
+                         declare \"coordinates\" and a Lagrangian or a Hamiltonian",
+                    )),
             };
         }
         let named = |name: Name| {
@@ -149,7 +158,7 @@ impl Reader<'_> {
             momenta.dedup();
             if momenta.is_empty() {
                 let name = text::plain(&self.symbols.entry(*q).name.to_string());
-                return Err(Fault::unsupported(span, format!("the momentum of {name} has no name here"))
+                return Err(Fault::unsupported(span, format!("the name of the momentum of {name} is not known"))
                     .help("say under \"means\" which name is the momentum, as in \"p\": \"momentum of q\""));
             }
             pairs.push((*q, momenta));

@@ -341,8 +341,10 @@ impl Reader<'_> {
         }
         let span = span.to(fence.span);
         let ambiguous = || {
-            Err(Fault::ambiguous(span, format!("{name}(…) may be a function or a product"))
-                .help("for a product, put a thin space \\, before the parenthesis"))
+            Err(Fault::ambiguous(span, format!("{name}(…) may be a function or a product")).help(
+                "for a product, put a thin space \\, before the parenthesis; \
+                 for a function, declare it under \"functions\" in a claims file",
+            ))
         };
         // `x(-\cos x)`: nothing is a function of itself. A differential stands in no argument, `p(c\,dt)`.
         let has_itself = inside.iter().any(|item| mentions(item, name)) && name.primes == 0;
@@ -430,7 +432,8 @@ impl Reader<'_> {
         {
             let argument = names::with_dots(&argument, dots).unwrap_or(argument);
             let message = format!("{name}({argument}) may be a function of {argument} or a product");
-            return Err(Fault::ambiguous(span, message).help("for a product, remove the parentheses"));
+            return Err(Fault::ambiguous(span, message)
+                .help("for a product, remove the parentheses; for a function, declare it under \"functions\""));
         }
         if is_list {
             return Err(Fault::unsupported(span, format!("{name}(…) has several arguments, which is not supported"))
@@ -441,9 +444,9 @@ impl Reader<'_> {
                 span,
                 format!("a number in parentheses after {name} may be an argument or a factor"),
             )
-            .help(format!(
-                "for a product write \\cdot before it; for a value use a name of its own, such as {name}_0"
-            )));
+            .help(
+                "for a product, write \\cdot before the number; for a value, use a name with a subscript, such as x_0",
+            ));
         }
         Ok(())
     }

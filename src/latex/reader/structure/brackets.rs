@@ -17,8 +17,11 @@ impl Reader<'_> {
         let span = item.span;
         let commas = inside.iter().filter(|item| is_separator(item)).count();
         if *delimiter == Delimiter::Square && are_indices(inside) {
-            return Err(Fault::ambiguous(span, "this may be a Christoffel symbol or the commutator of a product")
-                .help("write \\Gamma_{\\kappa\\mu\\nu} for the symbol, and \\cdot in the product"));
+            return Err(Fault::ambiguous(
+                span,
+                "[\\kappa\\mu, \\nu] may be a Christoffel symbol, or a commutator with the product of \\kappa and \\mu",
+            )
+            .help("write \\Gamma_{\\kappa\\mu\\nu} for the symbol, and \\cdot in the product"));
         }
         Ok(Some(match delimiter {
             Delimiter::Ket => self.template(&format!("|{}\\rangle", self.by_sign(inside)), Vec::new(), span),

@@ -89,7 +89,7 @@ impl Reader<'_> {
         if let Some([first, .., last]) = items.windows(3).find(|three| is_comma_of_digits(three)) {
             return Err(Fault::ambiguous(
                 first.span.to(last.span),
-                "the comma may be that of decimals, or divide thousands",
+                "the comma in a number may be the decimal point, or divide thousands",
             )
             .help("write 2.897 for the decimals, and 2897 for the thousands"));
         }

@@ -76,7 +76,7 @@ impl Reader<'_> {
         let id = match self.symbols.find(&name) {
             Some((id, _)) => id,
             None => {
-                let taken = || Fault::new(span, format!("{name} has the name of another symbol"));
+                let taken = || Fault::new(span, format!("{name} is already the name of another symbol"));
                 self.symbols.add(name.clone(), Kind::Abstract).ok_or_else(taken)?
             }
         };

@@ -94,7 +94,7 @@ impl Reader<'_> {
             items.get(*cursor)
         {
             return Err(Fault::ambiguous(*span, "this may be an interval or the arguments of the function before it")
-                .help("close the arguments of a function with the bracket that opens them"));
+                .help("for the arguments of a function, write two brackets of one kind, as in f(a, b)"));
         }
         if let Some(Item { layout: Layout::Fence(delimiter, inside), span }) = items.get(*cursor)
             && let Some((open, close)) = brackets(*delimiter)

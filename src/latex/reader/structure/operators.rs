@@ -70,7 +70,7 @@ impl Reader<'_> {
             *cursor += 1;
             let script = printed(std::slice::from_ref(item));
             if items.get(*cursor).is_none_or(|next| matches!(next.layout, Layout::Space(_)) || joint(next).is_some()) {
-                return Err(Fault::new(item.span, "this subscript or superscript has no base"));
+                return Err(Fault::new(item.span, "no symbol stands beside this subscript or superscript"));
             }
             let (base, _) = self.factor(items, cursor)?;
             let span = item.span.to(base.span);
@@ -104,7 +104,7 @@ impl Reader<'_> {
                 if contents(base).iter().any(|item| relation(item).is_some()) {
                     return Err(Fault::unsupported(
                         item.span.to(base.span),
-                        "an equality with a question mark states nothing",
+                        "a relation with this mark above or below it, such as ?, is not supported",
                     )
                     .help("write the relation alone, if it is meant to hold"));
                 }
@@ -341,9 +341,9 @@ impl Reader<'_> {
         if is_name && touches && !matches!(items[next].layout, Layout::Fence(..)) {
             return Err(Fault::ambiguous(
                 items[next].span.to(items[*cursor].span),
-                "an operator before f g may act on f or on the product",
+                "an operator before f g may act on f or on the product f g",
             )
-            .help("put what it acts on in parentheses"));
+            .help("put the factors on which it acts in parentheses"));
         }
         Ok(Some(factor))
     }
@@ -364,9 +364,9 @@ impl Reader<'_> {
         if let Some(again) = again {
             return Err(Fault::ambiguous(
                 rest[0].span.to(again.span),
-                "a derivative before f and a second derivative may act on f or on all of it",
+                "the first of two derivatives may act on the next factor, or on all that follows",
             )
-            .help("put what it acts on in parentheses"));
+            .help("put the factors on which it acts in parentheses"));
         }
         *cursor = items.len();
         self.term(rest).map(Some)

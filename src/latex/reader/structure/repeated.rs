@@ -48,17 +48,15 @@ impl Reader<'_> {
             if of_each.iter().any(|letters| letters.contains(&letter)) {
                 return Err(Fault::ambiguous(
                     factor.span,
-                    format!("{letter} above a letter may be an index or a power"),
+                    format!("the superscript {letter} may be an index or a power"),
                 )
-                .help("write \\sum for a sum; for a power, use another letter than for the index"));
+                .help("write \\sum for a sum; for a power, use a letter that is not an index elsewhere"));
             }
         }
         let implied = of_each.iter().position(|letters| letters.len() > 1 && letters.iter().any(is_shared));
         match implied {
-            Some(at) => {
-                Err(Fault::ambiguous(factors[at].span, "a letter that two factors have as an index may mean a sum")
-                    .help("write \\sum for a sum, and declare the indices in a claims file"))
-            }
+            Some(at) => Err(Fault::ambiguous(factors[at].span, "an index that two factors share may mean a sum")
+                .help("write \\sum for a sum, and declare the indices in a claims file")),
             None => Ok(()),
         }
     }

@@ -22,8 +22,11 @@ impl Reader<'_> {
         let text = self.by_sign(contents(sup));
         let is_number = matches!(base.node, Node::Number(_));
         if is_in_parentheses(sup) && !is_value(base) && may_be_an_exponent(contents(sup)) {
-            return Err(Fault::ambiguous(span, "the superscript in parentheses may be a mark or a power")
-                .help("write a power without the parentheses"));
+            return Err(Fault::ambiguous(
+                span,
+                "a superscript in parentheses, as in x^{(n)}, may be a label or a power",
+            )
+            .help("write a label as a subscript, x_n, and a power without the parentheses"));
         }
         let is_mark = match is_transpose(sup) {
             true => has_no_powers || self.symbols.inferred.has_transposes,

@@ -37,7 +37,7 @@ impl Reader<'_> {
         if is_difference && matches!(second.layout, Layout::Root(..)) && self.symbols.infers() && !self.is_abstract() {
             return Err(Fault::ambiguous(
                 first.span.to(second.span),
-                "this may be the change of the root or a product with it",
+                "Δ or δ before a root may mean the change of the root, or a factor",
             )
             .help("put parentheses around the root for the change, and \\cdot before it for a product"));
         }
@@ -81,7 +81,8 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(
                 first.span.to(second.span),
                 "\\delta x may be a variation of x or the product of \\delta and x",
-            ));
+            )
+            .help("for a product, write \\delta \\cdot x"));
         }
         // `\delta J[y]`: the change of the value of a functional.
         if self.is_abstract()

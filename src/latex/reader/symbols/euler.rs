@@ -70,7 +70,7 @@ impl Reader<'_> {
             if self.symbols.open && next.as_ref().is_some_and(is_exponent) {
                 return Err(Fault::ambiguous(
                     span,
-                    "e may be the sign of a power of ten here, Euler’s number or a symbol",
+                    "e between two numbers may mark a power of ten, or be Euler’s number or a symbol",
                 )
                 .help("write 1 \\cdot 10^{3} for the power of ten, and \\exp(1) for Euler’s number"));
             }

@@ -44,7 +44,7 @@ impl Reader<'_> {
         let is_unclear = || self.symbols.open && self.symbols.inferred.i_is_index && !self.is_imaginary_unit(name);
         let is_factor = || items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).nth(1).is_some();
         if is_i && is_unclear() && is_factor() {
-            return Err(Fault::ambiguous(span, "i may be √−1 or the index that stands elsewhere")
+            return Err(Fault::ambiguous(span, "i may be √−1, or the index i that other formulas have")
                 .help("write \\mathrm{i} for √−1, and another letter for the index"));
         }
         if printed.dots == 0 && self.is_imaginary_unit(name) {
@@ -116,13 +116,14 @@ impl Reader<'_> {
             && self.symbols.entry(id).varies
         {
             let dot = if name.primes == 1 { "\\dot" } else { "\\ddot" };
-            return Err(Fault::undeclared(span, name)
-                .help(format!("for the rate of {unprimed} write {dot}{{{unprimed}}}; if not, {add}")));
+            return Err(Fault::undeclared(span, name).help(format!(
+                "for the time derivative of {unprimed}, write {dot}{{{unprimed}}}; for another symbol, {add}"
+            )));
         }
         if let Some(vector) = self.vector_of_component(name) {
             return Err(Fault::undeclared(span, name).help(format!(
-                "if it is a component of {vector}, add {}: \"along \\\\hat e_a\" with your axes under \"components\" in the \
-                 claims file; if not, {add}",
+                "for a component of {vector}, add {}: \"along \\\\hat e_a\" with your axes under \"components\" in the \
+                 claims file; for another symbol, {add}",
                 suggest::in_json(&vector.to_string())
             )));
         }
@@ -315,8 +316,8 @@ impl Reader<'_> {
                 true => Fault::ambiguous(span, format!("{name} may be an operator, a unit vector or a number")).help(
                     "operators are not supported; write a vector by its components, or declare it in a claims file",
                 ),
-                false => Fault::unsupported(span, format!("{name} is a vector, and nothing gives its components"))
-                    .help("write its components, or declare it in a claims file"),
+                false => Fault::unsupported(span, format!("{name} is a vector, and its components are not known"))
+                    .help("write its components, or declare the vector in a claims file"),
             });
         }
         // Wave functions are complex where anything is.
@@ -327,7 +328,7 @@ impl Reader<'_> {
             false => Kind::Scalar,
         };
         let Some(id) = self.symbols.add(name.clone(), kind) else {
-            return Err(Fault::new(span, format!("{name} has the name of another symbol")));
+            return Err(Fault::new(span, format!("{name} is already the name of another symbol")));
         };
         // The letter of a sum is no quantity.
         self.symbols.entry_mut(id).hidden = is_bound;
@@ -393,7 +394,13 @@ impl Reader<'_> {
         };
         let sup = sup.or(above);
         let Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span: fence }) = item else {
-            return Err(Fault::new(span, format!("{} needs its angle in parentheses", self.symbols.entry(id).name)));
+            return Err(Fault::new(
+                span,
+                format!(
+                    "{0} is a rotation, and needs its angle in parentheses, as in {0}(\\theta)",
+                    self.symbols.entry(id).name
+                ),
+            ));
         };
         *cursor += 1;
         let angle = self.sum(inside, *fence)?;

@@ -24,7 +24,7 @@ impl Reader<'_> {
                 Some(text) => text,
                 None if self.is_abstract() => printed(contents(limit)),
                 None => {
-                    return Err(Fault::unsupported(limit.span, "this place of an evaluation is not supported")
+                    return Err(Fault::unsupported(limit.span, "the place at this bar is not supported")
                         .help("write names and numbers only, such as |_{x=a}"));
                 }
             };

@@ -23,10 +23,13 @@ pub(in super::super) fn ends_with_its_factor(factor: &[Item], after: &[Item]) ->
     let end = after.iter().position(is_integral).unwrap_or(after.len());
     let after = &after[..end];
     let Some(item) = after.iter().find(|item| bound.iter().any(|name| mentions(item, name))) else { return Ok(()) };
-    let what =
-        if is_integral(first) { "the integral ends at its differential" } else { "this ends at the dot or space" };
-    Err(Fault::ambiguous(item.span, format!("{what}, but its letter stands here again"))
-        .help("write the differential last, or put all that belongs to it in parentheses"))
+    let what = if is_integral(first) {
+        "the integral ends at its differential"
+    } else {
+        "what stands behind \\min or \\max ends at the dot or space"
+    };
+    Err(Fault::ambiguous(item.span, format!("{what}, but its variable stands here again"))
+        .help("write the differential last, or put all that belongs to the integral, \\min or \\max in parentheses"))
 }
 
 /// The letters behind the differentials of an integral.

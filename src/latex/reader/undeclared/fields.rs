@@ -47,8 +47,11 @@ impl Reader<'_> {
         let needs_vector = matches!(name, "\\nabla\\cdot" | "\\nabla\\times");
         if needs_vector != is_vector && name != "\\nabla^{2}" {
             let wanted = if needs_vector { "a vector" } else { "a number" };
-            return Err(Fault::shape(item.span.to(inner.span), format!("this operator needs {wanted} after it"))
-                .help("mark vectors with \\vec or \\mathbf"));
+            return Err(Fault::shape(
+                item.span.to(inner.span),
+                format!("this operator with ∇ needs {wanted} after it"),
+            )
+            .help("mark vectors with \\vec or \\mathbf"));
         }
         let span = item.span.to(inner.span);
         Ok(Some(self.operate(name, operator, vec![inner], span)))

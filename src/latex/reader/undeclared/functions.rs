@@ -43,7 +43,7 @@ impl Reader<'_> {
             let whole = span.to(*place);
             if !self.is_abstract() {
                 return Err(Fault::unsupported(whole, "a subscript on the value of a function is not supported")
-                    .help("write the subscript at the name, f_{max}"));
+                    .help("write the subscript after the name of the function, f_{max}"));
             }
             let bare = [(**nucleus).clone()];
             let value = self.inferred_function(span, printed, &bare, &mut 0)?;
@@ -70,8 +70,11 @@ impl Reader<'_> {
             && whole_number(sup).is_none()
             && !self.is_abstract()
         {
-            return Err(Fault::ambiguous(span, "what stands above a function may be a power or an order")
-                .help("put the power after the argument, f(x)^2"));
+            return Err(Fault::ambiguous(
+                span,
+                "a superscript on a function may be a power or the order of a derivative",
+            )
+            .help("put the power after the argument, f(x)^2"));
         }
         let is_marked = self.is_abstract() && next.is_some();
         let mark = printed.sup.filter(|sup| is_marked && whole_number(sup).is_none());
@@ -83,8 +86,10 @@ impl Reader<'_> {
             && self.is_at_another_place(&printed.name, inside)
         {
             let what = format!("{}(…) may be a function or a product", printed.name);
-            return Err(Fault::ambiguous(span.to(place), what)
-                .help("for a product, put a thin space \\, before the parenthesis"));
+            return Err(Fault::ambiguous(span.to(place), what).help(
+                "for a product, put a thin space \\, before the parenthesis; \
+                 for a function, declare it under \"functions\" in a claims file",
+            ));
         }
         if let Some((inside, sup, place)) = next {
             whole = span.to(place);
@@ -112,7 +117,8 @@ impl Reader<'_> {
                 let id = match self.symbols.find(&printed.name) {
                     Some((id, _)) => id,
                     None => {
-                        let taken = || Fault::new(span, format!("{} has the name of another symbol", printed.name));
+                        let taken =
+                            || Fault::new(span, format!("{} is already the name of another symbol", printed.name));
                         self.symbols.add(printed.name.clone(), kind).ok_or_else(taken)?
                     }
                 };

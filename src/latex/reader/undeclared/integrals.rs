@@ -71,7 +71,11 @@ impl Reader<'_> {
                 if last.is_some_and(is_open) {
                     // `\int \prod_i dx_i\, e^{-S}`: the product of the differentials ends before the integrand.
                     if last.is_some_and(is_big_product) && !blank(&rest[end..]) {
-                        return Err(Fault::ambiguous(whole, "the product of the differentials may go on").help(
+                        return Err(Fault::ambiguous(
+                            whole,
+                            "the product of the differentials may end at more than one place",
+                        )
+                        .help(
                             "write the product of the differentials in parentheses, or put the integrand before it",
                         ));
                     }
@@ -96,7 +100,7 @@ impl Reader<'_> {
                     return self.term(rest);
                 }
                 Err(Fault::new(whole, "this integral has no differential")
-                    .help("end it with dx; put a sum in parentheses"))
+                    .help("end the integral with dx, and put an integrand with several terms in parentheses"))
             }
         }
     }

@@ -103,9 +103,9 @@ impl Reader<'_> {
         match goes_on.filter(is_factor) {
             Some(_) => Err(crate::source::Fault::ambiguous(
                 operator.to(inner_span),
-                "an operator before f g may act on f or on the product",
+                "an operator before f g may act on f or on the product f g",
             )
-            .help("put what it acts on in parentheses")),
+            .help("put the factors on which it acts in parentheses")),
             None => Ok(inner),
         }
     }

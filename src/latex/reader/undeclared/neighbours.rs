@@ -43,8 +43,11 @@ impl Reader<'_> {
                 .help("write letters as letters, m v^2, and the power of a word as (\\text{…})^2"));
         }
         if matches!(&item.layout, Layout::Command(name) if ARROWS.contains(&name.as_str())) {
-            return Err(Fault::unsupported(item.span, format!("the arrow {} is no factor", typed(&items[at..=at])))
-                .help("write it as an index, or leave it out"));
+            return Err(Fault::unsupported(
+                item.span,
+                format!("the arrow {} cannot be a factor", typed(&items[at..=at])),
+            )
+            .help("write the arrow as a subscript, or leave it out"));
         }
         let Some(before) = items[..at].iter().rev().find(|item| !matches!(item.layout, Layout::Space(_))) else {
             return Ok(());
@@ -76,14 +79,14 @@ impl Reader<'_> {
                 .help("write it with its name alone"));
         }
         if touches && is_covariant(before) && names::printed(item, None).is_some() {
-            return Err(Fault::ambiguous(span, "this may be a covariant derivative or a product")
+            return Err(Fault::ambiguous(span, "D before a letter may be a covariant derivative or a factor")
                 .help("for a product, put a thin space \\, between the letters"));
         }
         let is_applied =
             items.get(at + 1).is_some_and(|next| matches!(next.layout, Layout::Fence(Delimiter::Square, _)));
         let is_capital = letter(item).is_some_and(|c| c.is_ascii_uppercase());
         if is_second_variation(before) && self.is_name(item) && (is_applied || is_capital) {
-            return Err(Fault::ambiguous(span, "this may be the second variation or a product with δ²")
+            return Err(Fault::ambiguous(span, "δ² before a letter may be the second variation or a factor")
                 .help("for a product, write \\cdot"));
         }
         let is_operator = |item: &Item| {
@@ -92,12 +95,11 @@ impl Reader<'_> {
         };
         if touches && is_operator(before) && is_operator(item) {
             return Err(Fault::ambiguous(span, "a name in brackets after brackets may be an argument or a factor")
-                .help("write one of them in parentheses"));
+                .help("write one of the two in parentheses"));
         }
         if touches && is_step_in_brackets(before) && is_step_in_brackets(item) {
-            return Err(
-                Fault::unsupported(span, "two steps in brackets are not supported").help("write them as x_{jk}")
-            );
+            return Err(Fault::unsupported(span, "two numbers of steps in brackets are not supported")
+                .help("write them as a subscript, x_{jk}"));
         }
         // `\int \mathcal{D}x\, e^{iS}`
         let is_measure = |item: &Item| {
@@ -130,8 +132,11 @@ impl Reader<'_> {
                 .help(format!("write \\text{{{unit}}} for the unit, or parentheses for a product")));
         }
         if touches && is_mean(before) && (self.is_lone_letter(item) || is_lone_number(item)) {
-            return Err(Fault::ambiguous(span, "this may be a value at a place, or a product")
-                .help("for a product, remove the parentheses around the letter"));
+            return Err(Fault::ambiguous(
+                span,
+                "a parenthesis after a mean value may hold the place where it is taken, or a factor",
+            )
+            .help("for a product, remove the parentheses around the letter"));
         }
         if touches && self.is_no_plain_factor(before) && (self.is_lone_letter(item) || self.is_list_of_names(item)) {
             return Err(Fault::ambiguous(
@@ -372,8 +377,8 @@ pub(in super::super) fn unclear_reach(items: &[Item]) -> Option<Fault> {
         _ => None,
     }?;
     Some(
-        Fault::ambiguous(sign.span, "the derivative may be one of the first factor or of the product")
-            .help("put what it acts on in parentheses"),
+        Fault::ambiguous(sign.span, "the derivative may be that of the first factor or that of the product")
+            .help("put the factors that it differentiates in parentheses"),
     )
 }
 

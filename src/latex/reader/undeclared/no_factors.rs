@@ -21,7 +21,7 @@ pub(super) fn unclear_operator(before: &Item, item: &Item) -> Option<Fault> {
         _ => false,
     };
     (is_mark && is_formula || is_d && is_logarithm).then(|| {
-        Fault::ambiguous(before.span.to(item.span), "this may be the change of what follows, or a factor")
+        Fault::ambiguous(before.span.to(item.span), "Δ, δ or d may mean the change of what follows, or be a factor")
             .help("put parentheses around what changes, or write \\cdot for a product")
     })
 }
@@ -36,7 +36,7 @@ pub(super) fn signed_in_braces(before: &Item, item: &Item) -> Option<Fault> {
     };
     let has_sign = inside.len() > 1 && matches!(inside[0].layout, Layout::Other('+' | '-'));
     (has_sign && joint(before).is_none()).then(|| {
-        Fault::ambiguous(item.span, "braces do not print, so this may be a further term or a factor")
+        Fault::ambiguous(item.span, "braces do not print, so a sign in braces may begin a further term or a factor")
             .help("write the sign before the braces, or parentheses for a factor")
     })
 }

@@ -84,7 +84,7 @@ impl Reader<'_> {
 }
 
 fn refused(span: Span) -> Fault {
-    Fault::unsupported(span, "these limits are not supported")
+    Fault::unsupported(span, "these limits of a sum or product are not supported")
         .help("write \\sum_{i=1}^{n}, with names and numbers only")
 }
 

@@ -62,10 +62,10 @@ impl Uses {
         }
         let g = Name::plain("g");
         let span = self.unclear_g.filter(|_| !self.sure.contains(&g) && !self.bare.contains(&g))?;
-        Some(
-            Fault::ambiguous(span, "g(…) may be a function or a product")
-                .help("for a product, put a thin space \\, before the parenthesis"),
-        )
+        Some(Fault::ambiguous(span, "g(…) may be a function or a product").help(
+            "for a product, put a thin space \\, before the parenthesis; \
+             for a function, declare it under \"functions\" in a claims file",
+        ))
     }
 
     /// `is_part` says that even one name alone is a factor: in a fraction and below a root.

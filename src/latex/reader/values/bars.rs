@@ -17,7 +17,7 @@ impl Reader<'_> {
         let refused = |what: &str| {
             Fault::unsupported(span, what).help("name the variable at the bar, as in |_{x=a} or |_{x=0}^{x=1}")
         };
-        let below = below.ok_or_else(|| refused("this bar has no place"))?;
+        let below = below.ok_or_else(|| refused("this bar does not say at which place the formula is taken"))?;
         let Some((letter, lower)) = self.placement(below)? else {
             // Without a letter, the formula must have one variable only.
             let Some(above) = above else { return Err(refused("this bar does not say which variable has this value")) };
@@ -33,7 +33,7 @@ impl Reader<'_> {
             None => None,
             Some(above) => Some(match self.placement(above)? {
                 Some((other, upper)) if other == letter => upper,
-                Some(_) => return Err(refused("the two places have different variables")),
+                Some(_) => return Err(refused("the two places at this bar have different variables")),
                 None => self.sum(contents(above), above.span)?,
             }),
         };
@@ -56,11 +56,17 @@ impl Reader<'_> {
         let Some(equals) = items.iter().position(|item| item.layout == Layout::Other('=')) else { return Ok(None) };
         let letter = self.sum(&items[..equals], item.span)?;
         let Node::Symbol { id, indices, dots: 0 } = &letter.node else {
-            return Err(Fault::unsupported(letter.span, "a value at a place needs one letter before the ="));
+            return Err(Fault::unsupported(
+                letter.span,
+                "the place at a bar needs one letter before the =, as in |_{x=a}",
+            ));
         };
         let letter = Variable { id: *id, indices: indices.clone(), dots: 0 };
         if !letter.indices.is_empty() || self.symbols.entry(letter.id).definition.is_some() {
-            return Err(Fault::unsupported(item.span, "a value at a place of a defined name is not supported"));
+            return Err(Fault::unsupported(
+                item.span,
+                "a bar is supported only for a variable that has no definition and no index",
+            ));
         }
         Ok(Some((letter, self.sum(&items[equals + 1..], item.span)?)))
     }

@@ -36,14 +36,15 @@ impl Reader<'_> {
         };
         let rest = &items[*cursor..];
         let missing = || {
-            Fault::new(sign.span, "this integral has no differential").help("end it with dx; put a sum in parentheses")
+            Fault::new(sign.span, "this integral has no differential")
+                .help("end the integral with dx, and put an integrand with several terms in parentheses")
         };
         // Where d is a symbol, an upright d is the differential, and else the only d that there is.
         let is_name = self.symbols.find(&Name::plain("d")).is_some() && !self.symbols.open;
         let is_upright = is_name && rest.iter().any(|item| is_upright(item) || above_line(item).any(is_upright));
         let Parts { integrand, variable, taken } = parts(rest, is_upright).ok_or_else(missing)?;
         if is_name && !is_upright && count_of_d(&rest[..taken]) > 1 {
-            return Err(Fault::ambiguous(variable.span, "d may be a differential or the declared symbol")
+            return Err(Fault::ambiguous(variable.span, "d may be a differential or the declared symbol d")
                 .help("write \\mathrm{d} for the differential"));
         }
         *cursor += taken;
@@ -196,8 +197,8 @@ fn by_quadrature(
 
 fn refused(reason: NoFormula, span: Span) -> Fault {
     let what = match reason {
-        NoFormula::Unknown => "no antiderivative of this integrand is known here, so the integral has no value",
-        NoFormula::Diverges => "this integral has no finite value, or none that can be shown",
+        NoFormula::Unknown => "no antiderivative of this integrand is known, so the integral cannot be evaluated",
+        NoFormula::Diverges => "this integral diverges, or cannot be shown to have a finite value",
     };
     Fault::unsupported(span, what).help(
         "state the value as its antiderivative at the two limits, or leave the equation out with \"skip\" in the claims file",

@@ -80,7 +80,7 @@ impl Reader<'_> {
         while body.symbols().iter().any(|(id, _)| hidden(*id, 0)) {
             depth += 1;
             if depth > DEEPEST {
-                return Err(unclear(body.span, "a definition in it contains itself"));
+                return Err(unclear(body.span, "the definition of a name in it contains this name"));
             }
             let span = body.span;
             body.substitute(&|node| match node {
@@ -98,13 +98,13 @@ impl Reader<'_> {
         let by = entry.name.to_string();
         let unknown = |span: Span, what: &str| {
             Fault::unsupported(span, format!("it is not known how {what} depends on {by}"))
-                .help(format!("write it as a formula of {by} in a display before this one"))
+                .help(format!("write {what} as a formula of {by} in a display before this one"))
         };
         body.walk(&mut |part| match &part.node {
             Node::Symbol { id, dots, .. } => {
                 let other = self.symbols.entry(*id);
                 if *dots > 0 {
-                    fault.get_or_insert_with(|| unknown(part.span, &format!("the rate of {}", other.name)));
+                    fault.get_or_insert_with(|| unknown(part.span, &format!("the time derivative of {}", other.name)));
                 } else if is_time && *id != letter && other.varies && !other.steady {
                     fault.get_or_insert_with(|| unknown(part.span, &other.name.to_string()));
                 } else if *id != letter && other.definition.is_none() && other.derived
@@ -114,7 +114,7 @@ impl Reader<'_> {
                 }
             }
             Node::TimeDerivative(..) => {
-                fault.get_or_insert_with(|| unknown(part.span, "this rate"));
+                fault.get_or_insert_with(|| unknown(part.span, "this time derivative"));
             }
             Node::Integral(..) | Node::Shrinking(..) | Node::Apply(..) if depends_on(part, letter) => {
                 let what = "an integral or a function inside an integral, a sum or a value at a place is not supported";
@@ -172,5 +172,5 @@ impl Reader<'_> {
 }
 
 fn unclear(span: Span, why: &str) -> Fault {
-    Fault::unsupported(span, format!("this sum or integral has no value here, because {why}")).help(IN_A_DISPLAY)
+    Fault::unsupported(span, format!("this sum or integral cannot be evaluated, because {why}")).help(IN_A_DISPLAY)
 }

@@ -18,13 +18,14 @@ impl Reader<'_> {
         }
         let Some(order) = order else { return Ok(Expr::new(Node::Rest(Vec::new()), span)) };
         if self.symbols.find(&Name::plain("O")).is_some() {
-            return Err(Fault::ambiguous(span, "O may be an order or the declared symbol").help("rename the symbol O"));
+            return Err(Fault::ambiguous(span, "O(…) may be an order of magnitude, or the declared symbol O")
+                .help("rename the symbol O"));
         }
         let order = self.sum(order, span)?;
         let mut powers = Vec::new();
         match collect(&order, 1, &mut powers) {
             Some(()) => Ok(Expr::new(Node::Rest(powers), span)),
-            None => Err(Fault::unsupported(span, "an order is a product of whole powers, such as O(x^3)")),
+            None => Err(Fault::unsupported(span, "O(…) must contain a product of whole powers, as in O(x^3)")),
         }
     }
 }

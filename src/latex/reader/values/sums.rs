@@ -44,7 +44,7 @@ impl Reader<'_> {
         let is_product = is_big_product(sign);
         let Some((low, high)) = numbers else {
             if is_product {
-                return Err(Fault::unsupported(sign.span, "a product has a value between two numbers only")
+                return Err(Fault::unsupported(sign.span, "∏ is supported only between two numbers")
                     .help("write the product out, or leave the equation out with \"skip\""));
             }
             is_no_index(rest, &printed.name.base)?;
@@ -54,8 +54,11 @@ impl Reader<'_> {
             let body = self.written_out(&body?, bound.id)?;
             self.without_any_function(&body)?;
             if !depends_on(&body, bound.id) && !body.symbols().is_empty() {
-                return Err(Fault::index(letter.span, "the letter of this sum does not occur in what is summed")
-                    .help("correct the letter under the Σ, or write the product with the number of terms"));
+                return Err(Fault::index(
+                    letter.span,
+                    "the letter under this Σ does not occur in the terms of the sum",
+                )
+                .help("correct the letter under the Σ, or write the product with the number of terms"));
             }
             let found = series::sum(&body, bound.id, &lower, &upper, span);
             return found.map(|formula| Some(as_step(formula))).map_err(|reason| refused(reason, sign, &upper));
@@ -154,7 +157,7 @@ fn is_no_index(items: &[Item], letter: &str) -> Read<()> {
         {
             return Err(Fault::index(
                 place.span,
-                format!("this quantity has another value for each {letter}, and no formula"),
+                format!("this quantity depends on the index {letter}, and no formula says how"),
             )
             .help(format!("give a formula for it in a display, or declare {letter} under \"indices\"")));
         }
@@ -235,9 +238,9 @@ fn subscript_at(subscript: &[Item], letter: &str, value: i64) -> Option<i64> {
 
 fn refused(reason: NoFormula, sign: &Item, upper: &End) -> Fault {
     let what = match (reason, upper) {
-        (NoFormula::Diverges, _) => "this series has no finite value, or none that can be shown",
-        (_, End::At(_)) => "a sum up to a letter has a value for polynomials and geometric sums only",
-        _ => "an infinite series has a value for geometric series only",
+        (NoFormula::Diverges, _) => "this series diverges, or cannot be shown to have a finite value",
+        (_, End::At(_)) => "a sum up to a letter is supported only for polynomials and geometric sums",
+        _ => "an infinite series is supported only if it is geometric",
     };
     Fault::unsupported(sign.span, what).help("leave the equation out with \"skip\" in the claims file")
 }

@@ -32,7 +32,8 @@ impl Course<'_, '_> {
     /// The finding on a display of which the reading may not be what is meant.
     pub(in crate::check::unaided::course) fn unclear(&self, at: usize, found: &Equation) -> Option<Equation> {
         if self.is_general_law(at) {
-            let message = "a general law in a coordinate that the Lagrangian does not contain, so it was not checked";
+            let message = "this is a general law for a coordinate that the Lagrangian does not contain, so it was not \
+                           checked";
             return Some(gate::settled(found, (Verdict::Definition, Code::Introduced), message.to_owned()));
         }
         let passes = found.finding.verdict.passes() && found.finding.verdict != Verdict::Definition;
@@ -45,7 +46,7 @@ impl Course<'_, '_> {
         }
         if passes && let Some(letter) = self.rests_on_hidden_letters(at) {
             let message =
-                format!("nothing says how {letter} depends on the letter of the integral, so this was not decided");
+                format!("nothing says how {letter} depends on the variable of the integral, so this was not decided");
             return Some(gate::settled(found, (Verdict::Undecided, Code::NotDecided), message));
         }
         if passes && self.differentiates_an_open_energy(at) {
