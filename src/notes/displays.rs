@@ -342,8 +342,7 @@ impl Work<'_> {
     /// Numbers that are printed inside of their displays.
     fn numbers_inside(&mut self, pieces: &mut [Piece]) {
         let number = |piece: &Piece| piece.number.as_ref().map(|number| number.id.clone());
-        let displays: Vec<Body> =
-            pieces.iter().map(|piece| Body { span: piece.body, number: number(piece) }).collect();
+        let displays: Vec<Body> = pieces.iter().map(|piece| Body { span: piece.body, number: number(piece) }).collect();
         for (i, numbered) in inner_numbers::find(self.source, &self.clean, &displays) {
             blank(&mut self.clean, [&numbered.span]);
             pieces[i].number = Some(numbered);

@@ -44,7 +44,8 @@ fn ending(source: &str, clean: &[u8], body: Span) -> Option<End> {
     let (id, end) = tex_scanner::number(source, body.start + open)?;
     let before = &text[..open];
     let order = order(id);
-    let is_apart = if order.is_some() { ends_with_wide_space(before) } else { is_dotted(id) && ends_with_space(before) };
+    let is_apart =
+        if order.is_some() { ends_with_wide_space(before) } else { is_dotted(id) && ends_with_space(before) };
     (is_apart && end == body.start + trimmed.len())
         .then(|| End { numbered: Numbered { id: id.to_owned(), span: Span::new(body.start + open, end) }, order })
 }
