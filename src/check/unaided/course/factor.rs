@@ -51,8 +51,8 @@ impl Course<'_, '_> {
         let mut off = None;
         let statements = &checker.readings[at].statements;
         for statement in statements.iter().flatten() {
-            if off.is_none() && self.is_off(at, statement)? {
-                off = Some(statement.span.shifted(display.body.start));
+            if off.is_none() {
+                off = self.pair_that_is_off(at, statement)?.map(|pair| pair.shifted(display.body.start));
             }
         }
         let Some(off) = off else { return Ok(None) };
@@ -65,21 +65,22 @@ impl Course<'_, '_> {
                 && !dimensions::are_spoilt(checker, at, repair)
         });
         let found = Equation { repairs, ..self.equation(checker, at, claim)? };
-        Ok(if statements.len() == 1 { Some(found) } else { only_within(found, off) })
+        let is_alone = statements.len() == 1;
+        Ok(only_within(&found, off).or(is_alone.then_some(found)))
     }
 
-    /// Whether two members of a statement, one after the other, are the same but for a number.
-    fn is_off(&self, at: usize, statement: &Statement) -> Result<bool> {
+    /// Two members of a statement, one after the other, that are the same but for a number.
+    fn pair_that_is_off(&self, at: usize, statement: &Statement) -> Result<Option<Span>> {
         if !statement.conditions.is_empty() || statement.branch.is_some() {
-            return Ok(false);
+            return Ok(None);
         }
         for (pair, (relation, _)) in statement.members.windows(2).zip(&statement.relations) {
             let may_be = is_equality(*relation) && pair.iter().all(may_be_off);
             if may_be && self.ratio_is_wrong(at, &pair[0], &pair[1])? {
-                return Ok(true);
+                return Ok(Some(pair[0].span.to(pair[1].span)));
             }
         }
-        Ok(false)
+        Ok(None)
     }
 
     /// Whether the ratio of two sides is a number other than 1, in all states.
@@ -115,15 +116,15 @@ impl Course<'_, '_> {
     }
 }
 
-/// The finding on a display of several statements, of which the one in a span is wrong and the others are as they count.
-fn only_within(found: Equation, span: Span) -> Option<Equation> {
+/// The finding on a display of several equalities, of which the one in a span is wrong and the others are as they count.
+fn only_within(found: &Equation, span: Span) -> Option<Equation> {
     let is_within = |finding: &Finding| finding.verdict == Verdict::Refuted && span.contains(finding.span);
     let finding = found.parts.iter().map(|part| &part.finding).find(|finding| is_within(finding))?.clone();
     let mut weighed = gate::as_it_counts(found.clone());
     for (part, printed) in weighed.parts.iter_mut().zip(&found.parts).filter(|(_, part)| is_within(&part.finding)) {
         *part = printed.clone();
     }
-    let mut repairs = found.repairs;
+    let mut repairs = found.repairs.clone();
     repairs.retain(|repair| span.contains(repair.span));
     Some(Equation { finding, repairs, ok: false, ..weighed })
 }

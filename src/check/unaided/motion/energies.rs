@@ -6,30 +6,20 @@
 use crate::Result;
 use crate::check::document::checker::Checker;
 use crate::check::kinds::identified;
-use crate::check::repair::culprit::is_common;
 use crate::check::unaided::contradictions::{contradicted, open, refuted, undecided};
-use crate::check::unaided::course::examples::LOST_FACTORS;
 use crate::check::unaided::gate;
 use crate::check::unaided::motion::are_equal;
+use crate::check::unaided::motion::given::{Given, corrected};
 use crate::check::unaided::scope::Scope;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::formula::{Expr, Node, SymbolId};
-use crate::latex::read_display;
-use crate::latex::slips::{self, Edit, Slip};
 use crate::source::Span;
 
 /// The letters of the kinetic and of the potential energy.
 const KINETIC: [&str; 2] = ["T", "K"];
 const POTENTIAL: [&str; 2] = ["U", "V"];
-
-/// A name with the display that gives it a formula.
-struct Given {
-    at: usize,
-    id: SymbolId,
-    formula: Expr,
-}
 
 /// Compares T and U with L.
 pub(super) fn weighed(checker: &Checker<'_>, scope: &Scope, found: &mut [Equation]) -> Result<()> {
@@ -64,11 +54,11 @@ pub(super) fn weighed(checker: &Checker<'_>, scope: &Scope, found: &mut [Equatio
         }
     }
     let [(energy, quantity)] = differing.as_slice() else { return Ok(()) };
-    let of_energy = mended(checker, energy, &|formula| (*quantity).clone().minus(formula))?;
+    let of_energy = corrected(checker, energy, &|formula| is_constant(checker, &(*quantity).clone().minus(formula)))?;
     let of_lagrangian = match (&kinetic, &potential) {
         (Some(kinetic), Some(potential)) => {
             let difference = |formula: Expr| formula.minus(kinetic.formula.clone().minus(potential.formula.clone()));
-            mended(checker, &lagrangian, &difference)?
+            corrected(checker, &lagrangian, &|formula| is_constant(checker, &difference(formula)))?
         }
         _ => None,
     };
@@ -154,30 +144,4 @@ fn given(checker: &Checker<'_>, end: usize, is_it: &dyn Fn(SymbolId) -> bool) ->
 fn is_constant(checker: &Checker<'_>, formula: &Expr) -> Result<bool> {
     let rate = Expr::new(Node::TimeDerivative(1, Box::new(formula.clone())), Span::default());
     are_equal(checker, &rate, &Expr::integer(0, Span::default()), false)
-}
-
-/// An edit of the display of a name with which a difference is constant.
-fn mended(checker: &Checker<'_>, given: &Given, difference: &dyn Fn(Expr) -> Expr) -> Result<Option<Repair>> {
-    let (model, display) = (checker.model, &checker.notes.equations[given.at]);
-    let points = slips::insertion_points(&display.text, &model.symbols, &model.macros);
-    let starts = points.into_iter().filter(|point| point.slip == Slip::Factor).map(|point| Span::at(point.whole.start));
-    let lost = starts.flat_map(|span| {
-        LOST_FACTORS.map(|factor| Edit { span, replacement: format!("{factor} "), slip: Slip::Factor })
-    });
-    let edits =
-        slips::slips(&display.text, &model.symbols, &model.macros).into_iter().filter(|edit| is_common(edit.slip));
-    for edit in edits.chain(lost) {
-        let reading = read_display(&edit.applied(&display.text), &mut model.symbols.clone(), &model.macros);
-        let statements = reading.statements.iter().flatten();
-        let mut formulas = statements.filter_map(|statement| {
-            let [first, .., last] = statement.members.as_slice() else { return None };
-            (first.as_plain_symbol() == Some(given.id)).then(|| last.clone())
-        });
-        if let Some(formula) = formulas.next()
-            && is_constant(checker, &difference(formula))?
-        {
-            return Ok(Some(Repair::of(edit, display.body.start, Verdict::Verified)));
-        }
-    }
-    Ok(None)
 }

@@ -1,4 +1,5 @@
-//! What other displays say of the printed Lagrangian: the energies T and U beside it, and a force that it does not contain.
+//! What other displays say of a motion: a period beside its frequency, the energies T and U beside the printed Lagrangian, and a force
+//! that it does not contain.
 //!
 //! Without a claims file the motion is that of the printed L. Where T − U is not L, or an equation of motion has a force beside L, the
 //! motion may be another one, and what does not follow from L may be right.
@@ -7,6 +8,8 @@
 
 mod energies;
 mod forces;
+mod given;
+mod periods;
 
 use crate::Result;
 use crate::check::document::checker::Checker;
@@ -21,11 +24,12 @@ use crate::source::Span;
 /// The number of sampled states at which sides are compared.
 const STATES: usize = 6;
 
-/// Weighs the findings on displays beside a printed Lagrangian.
+/// Weighs the findings on displays about a motion.
 ///
 /// # Errors
 /// As for a check of an equation.
 pub(super) fn weighed(checker: &Checker<'_>, scope: &Scope, found: &mut [Equation]) -> Result<()> {
+    periods::weighed(checker, scope, found)?;
     if checker.model.printed_lagrangian.is_none() || checker.model.system.is_none() {
         return Ok(());
     }
