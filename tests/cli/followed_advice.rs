@@ -28,7 +28,7 @@ fn check(name: &str, notes: &str, claims: &Value) -> String {
 #[test]
 fn what_a_formula_should_be_is_written_with_the_letters_of_the_author() {
     for (wrong, says, then) in [
-        ("2,5 m", "write 2.5 for the number", "2.5 m"),
+        ("2,5 x", "write 2.5 for the number", "2.5 x"),
         ("asin(x)", "write \\arcsin", "\\arcsin(x)"),
         ("theta", "write \\theta for the letter", "\\theta"),
         ("\\left[ a + b \\right)", "write ] in place of )", "\\left[ a + b \\right]"),
