@@ -165,6 +165,7 @@ fn standing(
     may_stand: fn(&mut ProseClaim, &Document, &Notes) -> bool,
 ) -> (Vec<ProseClaim>, Option<Document>) {
     let brief = Run { options: Options { explain: false, ..run.options }, ..*run };
+    let mut is_first = true;
     loop {
         let (mut kept, mut document) = kept(&brief, (claims, notes), said, may_stand);
         // Words about a case come before edits, which cost more.
@@ -172,10 +173,10 @@ fn standing(
             document = None;
         }
         let with = added(claims, notes, &kept);
-        let stands = |claim: &ProseClaim| {
+        let stands_in = |with: &Claims, claim: &ProseClaim| {
             let mut displays = claim.displays.iter().filter_map(|at| notes.equations[*at].id());
             displays.all(|id| {
-                check_in(&Run { only: Some(id), ..*run }, &with, notes).is_ok_and(|it| claim.stands(&it, notes))
+                check_in(&Run { only: Some(id), ..*run }, with, notes).is_ok_and(|it| claim.stands(&it, notes))
             })
         };
         // Edits of other displays are known where all are checked.
@@ -184,12 +185,24 @@ fn standing(
             let all: &Option<Document> = all.get_or_init(|| check_in(run, &with, notes).ok());
             all.as_ref().is_some_and(|all| claim.stands(all, notes))
         };
-        let falls = |claim: &ProseClaim| claim.is_doubtful && !stands(claim) && !stands_with_all(claim);
+        let falls = |claim: &ProseClaim| claim.is_doubtful && !stands_in(&with, claim) && !stands_with_all(claim);
+        // An edit may make the displays pass in a case that the words state.
+        let in_a_case = |claim: &ProseClaim| {
+            let found = document.as_ref().filter(|_| is_first)?;
+            let mut cases = special_cases::in_cases((claims, notes), found, claim).into_iter();
+            cases.find(|case| stands_in(&added(claims, notes, std::slice::from_ref(case)), case))
+        };
         let before = kept.len();
-        said = kept.iter().filter(|claim| !falls(claim)).cloned().collect();
-        if said.len() == before {
-            // Without a claim the document is checked once, with explanations.
+        let standing = |claim: &ProseClaim| {
+            if falls(claim) { in_a_case(claim).map(|case| (case, true)) } else { Some((claim.clone(), false)) }
+        };
+        let found: Vec<(ProseClaim, bool)> = kept.iter().filter_map(standing).collect();
+        let is_settled = found.len() == before && !found.iter().any(|(_, is_new)| *is_new);
+        said = found.into_iter().map(|(claim, _)| claim).collect();
+        is_first = false;
+        if is_settled {
             if said.is_empty() {
+                // Without a claim the document is checked once, with explanations.
                 return (said, None);
             }
             let document = document.or_else(|| check_in(&brief, &with, notes).ok());

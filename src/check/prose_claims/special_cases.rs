@@ -41,31 +41,8 @@ pub(super) fn complete(
     said: &mut [ProseClaim],
 ) -> bool {
     let Some(found) = found else { return false };
-    let names = NotesNames::of(claims, notes);
-    let places = places::known(&names);
-    let formula_of = |name: &str| formula_of(&names, found, name);
-    let is_refuted_here = |at: usize| {
-        let id = notes.equations[at].id();
-        found.equations.iter().any(|equation| Some(equation.id.as_str()) == id && is_refuted(equation))
-    };
     let mut is_any = false;
     for at in 0..said.len() {
-        let of_frequencies =
-            said[at].means.iter().any(|(_, what)| what.contains("frequency") || what.contains("period"));
-        if !said[at].is_doubtful || !of_frequencies {
-            continue;
-        }
-        let refuted: Vec<usize> = said[at].displays.iter().copied().filter(|at| is_refuted_here(*at)).collect();
-        let in_scope = |scope: conditions::Scope| -> Option<ProseClaim> {
-            let mut with = said[at].clone();
-            for display in &refuted {
-                let case = conditions::infer(&names, *display, scope, &places, &formula_of)?;
-                with.constants.extend(case.constants);
-                with.claims.extend(case.claims);
-                with.why = format!("{}; {}", with.why, case.why);
-            }
-            Some(ProseClaim { is_doubtful: false, ..with })
-        };
         let all_pass = |with: &ProseClaim| {
             let others = said.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, claim)| claim.clone());
             let all: Vec<ProseClaim> = others.chain([with.clone()]).collect();
@@ -77,13 +54,40 @@ pub(super) fn complete(
             });
             pass.unwrap_or(false)
         };
-        let completed = conditions::Scope::ALL.into_iter().filter_map(in_scope).find(all_pass);
+        let completed = in_cases((claims, notes), found, &said[at]).into_iter().find(all_pass);
         if let Some(with) = completed {
-            said[at] = with;
+            said[at] = ProseClaim { is_doubtful: false, ..with };
             is_any = true;
         }
     }
     is_any
+}
+
+/// A claim about a frequency that displays contradict, in each of the cases that the words around these displays state.
+pub(super) fn in_cases((claims, notes): (&Claims, &Notes), found: &Document, said: &ProseClaim) -> Vec<ProseClaim> {
+    let of_frequencies = said.means.iter().any(|(_, what)| what.contains("frequency") || what.contains("period"));
+    if !said.is_doubtful || !of_frequencies {
+        return Vec::new();
+    }
+    let names = NotesNames::of(claims, notes);
+    let places = places::known(&names);
+    let formula_of = |name: &str| formula_of(&names, found, name);
+    let is_refuted_here = |at: usize| {
+        let id = notes.equations[at].id();
+        found.equations.iter().any(|equation| Some(equation.id.as_str()) == id && is_refuted(equation))
+    };
+    let refuted: Vec<usize> = said.displays.iter().copied().filter(|at| is_refuted_here(*at)).collect();
+    let in_scope = |scope: conditions::Scope| -> Option<ProseClaim> {
+        let mut with = said.clone();
+        for display in &refuted {
+            let case = conditions::infer(&names, *display, scope, &places, &formula_of)?;
+            with.constants.extend(case.constants);
+            with.claims.extend(case.claims);
+            with.why = format!("{}; {}", with.why, case.why);
+        }
+        Some(with)
+    };
+    conditions::Scope::ALL.into_iter().filter_map(in_scope).collect()
 }
 
 /// The last formula of a name in a display that passes, if it is part of a chain.
