@@ -111,6 +111,8 @@ mod unaided_letters;
 mod unaided_meanings;
 #[path = "cli/unaided_ordered.rs"]
 mod unaided_ordered;
+#[path = "cli/unaided_periods.rs"]
+mod unaided_periods;
 #[path = "cli/unaided_places.rs"]
 mod unaided_places;
 #[path = "cli/unaided_premises.rs"]

@@ -9,7 +9,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::Repair;
 use crate::formula::{Expr, SymbolId};
 use crate::latex::read_display;
-use crate::latex::slips::{self, Edit, Slip};
+use crate::latex::slips::{self, Edit, Pool, Slip};
 use crate::source::Span;
 
 /// A name with the display that gives it a formula.
@@ -38,7 +38,7 @@ pub(super) fn corrected(
         LOST_FACTORS.map(|factor| Edit { span, replacement: format!("{factor} "), slip: Slip::Factor })
     });
     let is_likely = |edit: &Edit| is_common(edit.slip) && !adds_parentheses(&display.text, edit);
-    let mut edits = slips::slips(&display.text, &model.symbols, &model.macros);
+    let mut edits = slips::corrections(&display.text, &model.symbols, &model.macros, &Pool::empty());
     edits.retain(is_likely);
     edits.sort_by_key(|edit| rank(&display.text, edit, false));
     for edit in edits.into_iter().chain(lost) {

@@ -1,7 +1,7 @@
 //! A period beside its angular frequency, and a wavelength beside its wave number.
 //!
 //! By custom `T_0` is 2π over `\omega_0`, `f` is `\omega` over 2π, and `\lambda` is 2π over `k`. Where one display gives such a name a
-//! formula with π in it, and the display beside it gives the other name a formula, the two are compared. Only where a likely slip
+//! formula with π in it, and a display near it gives the other name a formula, the two are compared. Only where a likely slip
 //! lies between them one of the two is wrong: the same letters may mean other things.
 
 use crate::Result;
@@ -15,7 +15,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::formula::symbols::Kind;
-use crate::formula::{Expr, Node, SymbolId, text};
+use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
 
 /// Letters of two quantities, and what one is in terms of the other.
 struct Custom {
@@ -28,6 +28,9 @@ struct Custom {
     /// Whether it is 2π over the other; else it is the other over 2π.
     is_inverse: bool,
 }
+
+/// The most displays from one to the other: farther away the letters mean something else more often.
+const FARTHEST: usize = 2;
 
 const CUSTOMS: [Custom; 3] = [
     Custom {
@@ -59,7 +62,7 @@ pub(super) fn weighed(checker: &Checker<'_>, scope: &Scope, found: &mut [Equatio
     for one in &all {
         for custom in CUSTOMS.iter().filter(|custom| is_one_of(checker, one, custom.letters) && has_pi(&one.formula)) {
             let is_beside = |other: &&Given| {
-                one.at.abs_diff(other.at) <= 1
+                one.at.abs_diff(other.at) <= FARTHEST
                     && scope.section_of(one.at) == scope.section_of(other.at)
                     && is_one_of(checker, other, custom.others)
                     && of_the_same_thing(checker, one.id, other.id)
@@ -105,16 +108,15 @@ fn compare(
         format!("the {called} {} is not {relation}{beside}; a likely mistake explains it", name(one))
     };
     let (id, other_id) = (found[at].id.clone(), found[of].id.clone());
-    let is_tested = |equation: &Equation| {
-        equation.finding.verdict != Verdict::Assumed && !equation.finding.leaves_a_definition_open()
-    };
+    let (one_is_tested, other_is_tested) =
+        (is_tested(checker, first, one, found), is_tested(checker, first, other, found));
     match (of_one, of_other) {
         (Some(repair), more) if at == of => {
             found[at] = refuted(&found[at], &repair, says(&id));
             found[at].repairs.extend(more);
         }
-        (Some(repair), _) if is_tested(&found[of]) => found[at] = refuted(&found[at], &repair, says(&other_id)),
-        (_, Some(repair)) if is_tested(&found[at]) || at == of => found[of] = refuted(&found[of], &repair, says(&id)),
+        (Some(repair), _) if other_is_tested => found[at] = refuted(&found[at], &repair, says(&other_id)),
+        (_, Some(repair)) if one_is_tested || at == of => found[of] = refuted(&found[of], &repair, says(&id)),
         (Some(repair), None) => found[at] = refuted(&found[at], &repair, says(&other_id)),
         (None, Some(repair)) => found[of] = refuted(&found[of], &repair, says(&id)),
         (Some(_), Some(repair)) => {
@@ -126,17 +128,29 @@ fn compare(
     Ok(())
 }
 
+/// Whether a formula of a name follows, or another display follows with it.
+fn is_tested(checker: &Checker<'_>, first: usize, given: &Given, found: &[Equation]) -> bool {
+    let uses = |place: usize| {
+        let members = checker.readings[first + place].statements.iter().flatten().flat_map(|one| &one.members);
+        members.flat_map(Expr::symbols).any(|(id, _)| id == given.id)
+    };
+    let follows = |equation: &Equation| matches!(equation.finding.verdict, Verdict::Certified | Verdict::Verified);
+    found.iter().enumerate().any(|(place, equation)| follows(equation) && uses(place))
+}
+
 /// The names of numbers that are whole left sides, with their formulas.
 fn given(checker: &Checker<'_>, scope: &Scope, found: &[Equation]) -> Vec<Given> {
     let places = scope.carried..scope.carried + found.len();
-    let is_number = |id: SymbolId| {
+    let statements = places.flat_map(|at| checker.readings[at].statements.iter().flatten().map(move |one| (at, one)));
+    let given = |(at, statement): (usize, &Statement)| {
+        let [first, .., formula] = statement.members.as_slice() else { return None };
+        let id = first.as_plain_symbol()?;
         let entry = checker.model.symbols.entry(id);
-        entry.kind == Kind::Scalar && !entry.squared && entry.arguments.is_empty()
+        let is_number = entry.kind == Kind::Scalar && !entry.squared && entry.arguments.is_empty();
+        let is_formula = statement.relations.iter().all(|(relation, _)| *relation == Relation::Equal);
+        (is_number && is_formula && statement.branch.is_none()).then(|| Given { at, id, formula: formula.clone() })
     };
-    let all = places.flat_map(|at| checker.readings[at].introduced.iter().map(move |new| (at, new)));
-    all.filter(|(_, new)| new.member == 0 && is_number(new.symbol))
-        .map(|(at, new)| Given { at, id: new.symbol, formula: new.formula.clone() })
-        .collect()
+    statements.filter_map(given).collect()
 }
 
 fn is_one_of(checker: &Checker<'_>, given: &Given, letters: &[&str]) -> bool {
