@@ -208,12 +208,9 @@ impl<'a> Context<'a> {
             }
             Unavailable::Operation(what) => (
                 Code::NotSupported,
-                match what.contains("integral") {
-                    true => format!("{what} cannot be evaluated; leave the equation out with \"skip\""),
-                    false => format!(
-                        "{what} cannot be evaluated; write its vectors and matrices out, or use a formula without it"
-                    ),
-                },
+                format!(
+                    "{what} cannot be evaluated; write the formula without it, or leave the equation out with \"skip\""
+                ),
             ),
         };
         self.finding(code, Verdict::Unreadable, message)

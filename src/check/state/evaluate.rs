@@ -81,7 +81,9 @@ impl<'m, B: Number> SampledState<'m, B> {
                     None => Ok(Value::Vector(turned)),
                     Some(about) => {
                         let sum = self.symbol_to(about, &[], terms)?.plus(Value::Vector(turned));
-                        sum.ok_or(Unavailable::Operation("a sum of terms of different shapes"))
+                        sum.ok_or(Unavailable::Operation(
+                            "a sum of numbers and vectors, or of matrices of different sizes",
+                        ))
                     }
                 }
             }

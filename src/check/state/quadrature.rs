@@ -269,7 +269,7 @@ impl<B: Number> SampledState<'_, B> {
             let (fine, coarse) = (fine.clone().map(|x| x * power), coarse.clone().map(|x| -x));
             fine.plus(coarse).map(|sum| sum.map(|x| x * (1.0 / (power - 1.0))))
         };
-        let wrong = || Unavailable::Operation("a sum of terms of different shapes");
+        let wrong = || Unavailable::Operation("a sum of numbers and vectors, or of matrices of different sizes");
         let first = better(&values[1], &values[0], 4.0).ok_or_else(wrong)?;
         let second = better(&values[2], &values[1], 4.0).ok_or_else(wrong)?;
         better(&second, &first, 16.0).ok_or_else(wrong)

@@ -22,7 +22,7 @@ impl<B: Number> SampledState<'_, B> {
         let rule = &self.rules[at];
         let before = || self.ruled(id, indices, at, terms);
         let letters: Vec<(IndexId, u8)> = rule.letters.iter().copied().zip(indices.iter().copied()).collect();
-        let wrong = Unavailable::Operation("a sum of terms of different shapes");
+        let wrong = Unavailable::Operation("a sum of numbers and vectors, or of matrices of different sizes");
         let target = match &rule.action {
             Action::Equals(formula) => {
                 let value = self.formula_to(terms, formula, &letters)?;
@@ -91,7 +91,7 @@ impl<B: Number> SampledState<'_, B> {
         if let Some(begun) = self.memo.begun.borrow().get(&rule.symbol) {
             known.clone_from(begun);
         }
-        let wrong = || Unavailable::Operation("a sum of terms of different shapes");
+        let wrong = || Unavailable::Operation("a sum of numbers and vectors, or of matrices of different sizes");
         let known_terms = |known: &MemberValues<B>| known_to(known).unwrap_or(order);
         let mut values: MemberValues<B> = Vec::new();
         for next in known_terms(&known)..terms {

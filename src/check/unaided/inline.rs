@@ -4,7 +4,7 @@
 //! Such a formula becomes a display of the notes while they are judged, and is left out of the report: it is no display of the
 //! author's. A definition is taken only if the words announce it. A condition ("if $x = x_0$"), a value and a name for a name
 //! are none, and neither is a formula of a name that displays further back use: it may be a special case. What relates names
-//! that displays have is a premise of the next display. It also shows that a name has another formula from there on.
+//! that displays have is a premise of the next display, and so is a special case that the words state. It also shows that a name has another formula from there on.
 
 use crate::formula::symbols::Name;
 use crate::latex::Macros;
@@ -15,6 +15,7 @@ use crate::source::Span;
 use crate::check::document::inferred::prose::{
     body_of, follows_condition, is_announced, is_named, is_supposed, sentence_start, words_between,
 };
+use crate::check::unaided::special_cases;
 use crate::check::usage::{Usage, names_of};
 
 /// The fewest names of a formula that is a relation, and no value or special case.
@@ -145,6 +146,7 @@ fn with_definitions_of(notes: &Notes, displays: Vec<Display>, used: &[Name], mac
         } else if relates(&display, (&usages, authors, is_told), macros)
             && (!follows_condition(notes, *span)
                 || !is_supposed(notes, *span) && is_directly_before(notes, *span, &found))
+            || special_cases::is_one(notes, &display, (&usages, authors))
         {
             found.insert(at, display);
         }

@@ -35,6 +35,7 @@ mod scope;
 mod screen;
 mod signs;
 mod solutions;
+mod special_cases;
 mod states;
 
 use std::collections::{HashMap, HashSet};
