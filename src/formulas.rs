@@ -218,7 +218,7 @@ impl Formula {
                     let name = text::plain(&self.symbols.entry(*id).name.to_string()).replace('\u{2061}', "");
                     Some(
                         Error::new(format!("{name} has no formula, so {name}(…) has no value"))
-                            .help("write its formula in its place"),
+                            .help(format!("write the formula of {name} in place of {name}(…)")),
                     )
                 }
                 _ => None,
@@ -275,8 +275,8 @@ impl Formula {
         let value = evaluate(&formula, &state, &[]).map_err(|reason| match reason {
             Unavailable::Derivative(_) => Error::new("the formula needs the value of a time derivative")
                 .help("set the dotted symbols too: --set '\\dot x=…'"),
-            Unavailable::Operation(what) => Error::new(format!("the formula has no value: it contains {what}"))
-                .help("evaluate a part of it without this"),
+            Unavailable::Operation(what) => Error::new(format!("the formula has no value, because it contains {what}"))
+                .help("evaluate a part of the formula that does not contain this"),
             Unavailable::Symbol(id) => {
                 Error::new(format!("{} has no value", text::plain(&self.symbols.entry(id).name.to_string())))
             }
@@ -340,7 +340,8 @@ pub fn compare(
     let placed = |(which, fault): (usize, Fault)| match which {
         0 => Error::fault(&Arc::new(Source::new("left formula", left)), fault),
         1 => Error::fault(&Arc::new(Source::new("right formula", right)), fault),
-        _ => Error::new(fault.message).help(fault.help.unwrap_or("name a letter of the formulas".to_owned())),
+        _ => Error::new(fault.message)
+            .help(fault.help.unwrap_or("give a range only to a letter of the two formulas".to_owned())),
     };
     compare::equal(left, right, &given, options).map_err(placed)
 }

@@ -53,7 +53,7 @@ pub struct Arguments {
     /// Exit with 2 where something was not decided or not read, and where notes have no claims file or one with guesses
     #[arg(long)]
     strict: bool,
-    /// Make the suggested edits that are clear, after asking, and check again
+    /// Make the likely edits among the suggested ones, after asking for each, and check again
     #[arg(long)]
     fix: bool,
     /// Make them without asking

@@ -85,7 +85,7 @@ fn fix_documents(report: &Report, yes: bool, style: Style, fixed: &mut Fixed) ->
         fixed.told.extend(document.equations.iter().filter(unclear).map(|equation| {
             let why = match equation.finding.code {
                 Code::Contradiction => "two displays contradict each other, and only you know which is wrong",
-                _ => "no suggestion for this equation is clear enough",
+                _ => "no suggested edit of this equation is likely enough for --fix",
             };
             format!("({}) was not edited: {why}; choose an edit by hand", equation.id)
         }));
@@ -215,7 +215,7 @@ fn agreed(document: &Document, equation: &Equation, repair: &Repair, style: Styl
     let (input, mut terminal) = (std::io::stdin(), std::io::stderr());
     if !input.is_terminal() {
         return Err(Error::new("--fix asks before it changes a file, and standard input is not a terminal")
-            .help("add --yes to make every clear edit without asking"));
+            .help("add --yes to make the likely edits without asking"));
     }
     let shown = suggestion::repair(repair, true, &document.source, style);
     let question = wrap("", &format!("change {}? [y/N]", document.path), 2, style.width);

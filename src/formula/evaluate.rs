@@ -124,7 +124,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 Value::Complex(z) => Value::Complex(
                     z.call(*function).ok_or(Unavailable::Operation("this function of a complex number"))?,
                 ),
-                _ => return Err(Unavailable::Operation("a vector or a matrix where a number is needed")),
+                _ => return Err(Unavailable::Operation("a function of a vector or a matrix")),
             },
             Node::Apply(id, _) if self.environment.symbols().entry(*id).operator.is_some() => {
                 return Err(Unavailable::Operation("a function or an operator without a formula"));
@@ -252,7 +252,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
     pub(super) fn scalar(&mut self, expr: &Expr) -> Evaluated<D> {
         match self.value(expr)? {
             Value::Scalar(value) => Ok(value),
-            _ => Err(Unavailable::Operation("a vector or a matrix where a number is needed")),
+            _ => Err(Unavailable::Operation("a vector, a matrix or a complex number where a real number is needed")),
         }
     }
 
@@ -341,7 +341,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
             return match self.value(exponent)? {
                 Value::Scalar(x) => Ok(Value::Scalar(x.exp())),
                 Value::Complex(z) => Ok(Value::Complex(z.exp())),
-                _ => Err(Unavailable::Operation("a vector or a matrix where a number is needed")),
+                _ => Err(Unavailable::Operation("the exponential of a vector or a matrix")),
             };
         }
         let constant = constant_exponent(exponent);
@@ -361,9 +361,15 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 }
                 (Value::Matrix(m), Some(n)) if n.is_whole() && (1..=64).contains(&n.numerator) => {
                     let power = matrices::power(&m, n.numerator as u32);
-                    return power.map(Value::Matrix).ok_or(Unavailable::Operation("this power of a matrix"));
+                    return power
+                        .map(Value::Matrix)
+                        .ok_or(Unavailable::Operation("a power of a matrix that is not square"));
                 }
-                _ => return Err(Unavailable::Operation("this power of a vector, a matrix or a complex number")),
+                _ => {
+                    return Err(Unavailable::Operation(
+                        "a power of a vector, or a power of a matrix or a complex number with this exponent",
+                    ));
+                }
             },
         };
         Ok(Value::Scalar(match constant {

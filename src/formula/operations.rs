@@ -17,9 +17,9 @@ impl<D: Differentiable> Evaluator<'_, D> {
         match &expr.node {
             Node::OfMatrix(function, inner) => match self.value(inner)? {
                 Value::Matrix(m) => {
-                    let value = function
-                        .of(&m)
-                        .ok_or(Unavailable::Operation("det or tr of a matrix that is not square, or is too large,"))?;
+                    let value = function.of(&m).ok_or(Unavailable::Operation(
+                        "det or tr of a matrix that is not square or has more than 6 rows",
+                    ))?;
                     Ok(Value::Scalar(value))
                 }
                 _ => Err(Unavailable::Operation("det or tr of something that is not a matrix")),
@@ -30,7 +30,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 let known = first.multiply(b) && second.multiply(a) && first.add(&second, Sign::Minus);
                 known
                     .then_some(first)
-                    .ok_or(Unavailable::Operation("a commutator of anything but two square matrices of one size"))
+                    .ok_or(Unavailable::Operation("a commutator of anything but two square matrices of the same size"))
             }
             Node::Complex(part, inner) => {
                 let number = match self.value(inner)? {
@@ -57,7 +57,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 environment.quadrature(of, is_closed, &mut || self.integral(of))
             }
             Node::Rest(_) => Err(Unavailable::Operation("a sum whose further terms are left out")),
-            _ => Err(Unavailable::Operation("this operation")),
+            _ => Err(Unavailable::Operation("an operation that is not supported")),
         }
     }
 
@@ -68,7 +68,11 @@ impl<D: Differentiable> Evaluator<'_, D> {
             (Value::Scalar(divisor), above) => above.map(|x| x / divisor),
             (Value::Complex(divisor), Value::Scalar(above)) => Value::Complex(Complex::real(above).over(divisor)),
             (Value::Complex(divisor), Value::Complex(above)) => Value::Complex(above.over(divisor)),
-            _ => return Err(Unavailable::Operation("this quotient of vectors, matrices or complex numbers")),
+            _ => {
+                return Err(Unavailable::Operation(
+                    "a division by a vector or a matrix, or of a vector or matrix by a complex number",
+                ));
+            }
         })
     }
 
@@ -102,9 +106,9 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 _ => return Err(Unavailable::Operation("the transpose of something that is not a matrix")),
             },
             Node::Inverse(inner) => match self.value(inner)? {
-                Value::Matrix(m) => Value::Matrix(
-                    matrices::inverse(&m).ok_or(Unavailable::Operation("the inverse of a matrix of this size"))?,
-                ),
+                Value::Matrix(m) => Value::Matrix(matrices::inverse(&m).ok_or(Unavailable::Operation(
+                    "the inverse of a matrix that is not square or has more than 6 rows",
+                ))?),
                 _ => return Err(Unavailable::Operation("the inverse of something that is not a matrix")),
             },
             Node::Entry(inner, row, column) => match (self.value(inner)?, self.index(*row)?, self.index(*column)?) {
@@ -115,7 +119,7 @@ impl<D: Differentiable> Evaluator<'_, D> {
                 }
                 _ => return Err(Unavailable::Operation("an entry of something that is not a matrix")),
             },
-            _ => return Err(Unavailable::Operation("this operation")),
+            _ => return Err(Unavailable::Operation("an operation that is not supported")),
         })
     }
 

@@ -48,10 +48,8 @@ impl Notes {
     pub fn read(path: &Path, shown_as: &str) -> Result<Notes> {
         let Some(format) = Format::of(path) else {
             let known: Vec<String> = formats::ALL.iter().map(|format| format!(".{}", format.extensions[0])).collect();
-            return Err(Error::new(format!("{shown_as} is not in a format of notes")).help(format!(
-                "the formats of notes are {} and others, which docs/formats.md lists",
-                known.join(", ")
-            )));
+            return Err(Error::new(format!("the format of {shown_as} is not supported"))
+                .help(format!("save the notes in a supported format: {}", known.join(", "))));
         };
         let source = read_text(path, shown_as)?;
         if source.text.trim_start_matches('\u{feff}').trim().is_empty() {

@@ -51,7 +51,7 @@ pub(crate) fn of_the_hamiltonian(claims: &Claims, model: &mut Model) -> Result<(
         );
     }
     let law = hamilton(model, symbol).ok_or_else(|| {
-        error(format!("the derivatives of {shown} cannot be formed as formulas"))
+        error(format!("the derivatives of {shown} cannot be written as formulas"))
             .help(format!("write {shown} with sums, products, powers and elementary functions"))
     })?;
     model.laws.push(law);

@@ -35,7 +35,7 @@ pub(crate) fn define(model: &mut Model) -> Result<()> {
     let second = |a: u8, b: u8| {
         let found = at_rest(model, lagrangian, [(*only, a), (*only, b)], &coordinates);
         found.ok_or_else(|| {
-            unsupported("the second derivatives of the Lagrangian cannot be formed as formulas")
+            unsupported("the second derivatives of the Lagrangian cannot be written as formulas")
                 .help("write the Lagrangian with sums, products, powers and elementary functions")
         })
     };

@@ -296,7 +296,7 @@ fn constraints(model: &Model, lagrangian: SymbolId, multipliers: &[usize]) -> Re
         let scope = derivative::Scope { symbols: &model.symbols, fixed: &[] };
         let constraint = derivative::partial(&formula, &by, scope, place).map_err(|_| {
             let name = text::plain(&model.name(by.id));
-            Error::new(format!("the constraint that {name} multiplies cannot be formed as a formula"))
+            Error::new(format!("the constraint that {name} multiplies cannot be written as a formula"))
                 .help("write the constraint with sums, products, powers and elementary functions")
         })?;
         all.extend(conditions(&constraint, true));

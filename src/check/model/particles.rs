@@ -40,10 +40,11 @@ pub(crate) fn declare(
     model: &mut Model,
 ) -> Result<()> {
     let Some((quantity, particles)) = quantity(meaning) else { return Ok(()) };
+    let word = &meaning.value[..meaning.value.len() - particles.len()];
     let error = |place: &Spanned<String>, message: String| Error::at(&claims.source, place.span, message);
     let Some((mass, position)) = particles.split_once(" at ") else {
-        return Err(error(meaning, "the meaning does not name the particles".into())
-            .help("write \"inertia tensor of m_i at \\vec r_i\""));
+        return Err(error(meaning, "this meaning does not give the masses and positions of the particles".into())
+            .help(format!("write \"{word}m_i at \\vec r_i\"")));
     };
     let mut symbols = model.symbols.clone();
     let mut formula = |text: &str| -> Result<(Expr, crate::formula::shape::Type)> {
@@ -64,7 +65,7 @@ pub(crate) fn declare(
     let others = of_mass.free.iter().any(|letter| *letter != label);
     if of_mass.shape != Shape::Scalar || of_position.shape != Shape::Vector || others {
         return Err(error(meaning, "these are not the masses and positions of particles".into())
-            .help("write \"inertia tensor of m_i at \\vec r_i\", with scalar masses and vector positions"));
+            .help(format!("write \"{word}m_i at \\vec r_i\", with scalar masses and vector positions")));
     }
     let Some((name, 0)) = names::parse(&latex.value) else {
         return Err(error(latex, format!("{} is not the name of a symbol", latex.value)));

@@ -209,7 +209,8 @@ impl<'a> Context<'a> {
             Unavailable::Operation(what) => (
                 Code::NotSupported,
                 format!(
-                    "{what} cannot be evaluated; write the formula without it, or leave the equation out with \"skip\""
+                    "the equation uses {what}, which cannot be evaluated; write the equation without this, or leave it \
+                     out with \"skip\" in a claims file"
                 ),
             ),
         };

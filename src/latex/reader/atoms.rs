@@ -26,9 +26,9 @@ impl Reader<'_> {
         {
             return Err(Fault::unsupported(
                 item.span,
-                "a number with an error, as in 1.2^{+0.8}_{-0.4}, is not supported",
+                "a number with an uncertainty, as in 1.2^{+0.8}_{-0.4}, is not supported",
             )
-            .help("write the number without its error"));
+            .help("write the number without its uncertainty"));
         }
         // `3.0\text{–}5.2`
         if let Layout::Text(word) = &item.layout

@@ -77,10 +77,12 @@ impl Reader<'_> {
         let scope = Scope { symbols: self.symbols, fixed: &fixed };
         (0..order).try_fold(value, |value, _| derivative::partial(&value, by, scope, span)).map_err(|reason| {
             match reason {
-                NoDerivative::Unknown(id) => Fault::unsupported(
-                    span,
-                    format!("nothing says how {} depends on its argument", self.symbols.entry(id).name),
-                ),
+                NoDerivative::Unknown(id) => {
+                    let name = &self.symbols.entry(id).name;
+                    Fault::unsupported(span, format!("nothing says how {name} depends on its argument")).help(format!(
+                        "write the formula of {name} in a display or under \"define\" in the claims file"
+                    ))
+                }
                 NoDerivative::Operation(what) => {
                     Fault::unsupported(span, format!("the derivative of {what} is not supported"))
                         .help("write its result, or leave the equation out with \"skip\" in a claims file")

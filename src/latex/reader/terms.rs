@@ -266,9 +266,9 @@ fn is_no_error_of_measurement(items: &[Item]) -> Read<()> {
     match found {
         Some(three) => Err(Fault::ambiguous(
             three[0].span.to(three[2].span),
-            "± between two numbers may mean the error of a value, or two values",
+            "± between two numbers may mean the uncertainty of a value, or two values",
         )
-        .help("write the value without its error")),
+        .help("write the value without its uncertainty, or write an equation for each value")),
         None => Ok(()),
     }
 }

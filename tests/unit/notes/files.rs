@@ -27,7 +27,7 @@ fn unreadable() {
     assert!(read("utf8.md", b"one\ntwo \xff").contains("byte 8 (0xff, line 2)"));
     assert!(read("empty.md", b"").contains("empty"));
     assert!(read("blank.md", b"\xef\xbb\xbf \n").contains("empty"));
-    assert!(read("notes.pdf", b"x").contains("is not in a format of notes"));
+    assert!(read("notes.pdf", b"x").contains("is not supported"));
     let missing = Notes::read(Path::new("/nowhere/x.md"), "x.md").unwrap_err().to_string();
     assert!(missing.contains("cannot read x.md"));
     assert!(Claims::read(&folder(), "tmp").unwrap_err().to_string().contains("folder"));

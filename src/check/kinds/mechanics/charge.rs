@@ -33,7 +33,11 @@ pub(crate) fn check(charge: &Expr, change: &[(SymbolId, Expr)], context: &Contex
             return undecided(format!("{name} is not a coordinate, so it has no change under a symmetry"));
         }
         let Some(expression) = euler_lagrange(&lagrangian, *q, context) else {
-            return undecided("the equations of motion cannot be formed as formulas".to_owned());
+            let name = text::plain(&context.model.name(*q));
+            return undecided(format!(
+                "the Euler–Lagrange equation for {name} cannot be written as a formula; \
+                 write the Lagrangian with sums, products, powers and elementary functions"
+            ));
         };
         terms.push(product(vec![expression, change.clone()]));
     }

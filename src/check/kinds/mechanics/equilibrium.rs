@@ -23,6 +23,10 @@ use crate::check::verdict::finding::Finding;
 /// The most coordinates for which stability is decided.
 const MOST: usize = 3;
 
+/// Why stability is not decided where the second derivatives of the Lagrangian are not known as formulas.
+const NOT_ELEMENTARY: &str = "the second derivatives of the Lagrangian cannot be written as formulas; write it with \
+                              sums, products, powers and elementary functions";
+
 /// The hypotheses that the system of a printed Lagrangian stays at rest where coordinates have these values, and the others are 0: no force
 /// acts there. `None` where this is not known as formulas, and with forces, constraints or the time in L.
 pub(crate) fn rest_at(places: &[(SymbolId, Expr)], context: &Context<'_>) -> Option<Vec<Hypothesis>> {
@@ -149,7 +153,7 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
         coordinates.iter().map(|a| coordinates.iter().map(|b| entry(a, b)).collect()).collect()
     };
     let (Some(stiffness), Some(masses)) = (matrix(0, true), matrix(1, false)) else {
-        return open("the second derivatives of the Lagrangian cannot be formed as formulas");
+        return open(NOT_ELEMENTARY);
     };
     let all = |minors: &[Expr], relation: Relation| -> Result<bool> {
         for minor in minors {
@@ -190,7 +194,7 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
         });
     }
     let Some(turning) = without_velocity_forces(&lagrangian, coordinates, context) else {
-        return open("the second derivatives of the Lagrangian cannot be formed as formulas");
+        return open(NOT_ELEMENTARY);
     };
     for link in turning {
         let is_same = link.lhs == link.rhs || identity::check(&link, &context.quick())?.verdict.holds();

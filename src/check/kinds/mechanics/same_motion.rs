@@ -30,7 +30,10 @@ const BOOLE: [(u32, u32); 5] = [(0, 7), (1, 32), (2, 12), (3, 32), (4, 7)];
 pub(crate) fn check(ours: &Expr, other: &Expr, context: &Context<'_>) -> Result<Finding> {
     let shown = text::formula(other, &context.model.symbols);
     let unsupported = || {
-        let message = format!("the equations of motion of this Lagrangian or of {shown} cannot be formed as formulas");
+        let message = format!(
+            "the equations of motion of this Lagrangian or of {shown} cannot be written as formulas; \
+             write both with sums, products, powers and elementary functions"
+        );
         context.finding(Code::NotSupported, Verdict::Undecided, message)
     };
     let coordinates = coordinates(context);

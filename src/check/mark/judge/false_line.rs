@@ -179,7 +179,7 @@ impl Judge<'_, '_> {
             return Ok(Some(right("follows from the problem, and its last member is a condition")));
         }
         if energies::has_another_zero(self.quiet, display, reading) {
-            return Ok(Some(right("is correct, with another zero of the potential energy")));
+            return Ok(Some(right("is correct up to a constant, so only the zero of the potential energy differs")));
         }
         if self.is_rounded(display, reading) {
             if let Some(why) = self.wrong_unit(at, reading) {

@@ -51,7 +51,7 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
         let are_alike = culprit.others.is_empty() && gives_its_name(checker, first + place, culprit.at);
         if !are_alike && is_common_there && (!culprit.others.is_empty() || !is_common_here) {
             let message = match culprit.others.len() {
-                0 => format!("({id}) contradicts this definition; a likely mistake in the definition explains it"),
+                0 => format!("({id}) contradicts this definition, but agrees with it after the suggested edit"),
                 1 => format!("({id}) and another display contradict this definition"),
                 others => format!("({id}) and {others} other displays contradict this definition"),
             };

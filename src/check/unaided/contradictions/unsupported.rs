@@ -99,7 +99,7 @@ fn is_plain(slip: Slip) -> bool {
 }
 
 fn explained(id: &str, what: &str) -> String {
-    format!("({id}) does not follow from this {what}; a likely mistake in the {what} explains it")
+    format!("({id}) does not follow from this {what}, but it does after the suggested edit")
 }
 
 /// Whether a display is taken for granted, though it says more than what a name stands for.

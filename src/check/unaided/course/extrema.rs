@@ -88,10 +88,11 @@ impl Course<'_, '_> {
         let places = self.places_of(&checker.readings[at], at);
         let Some(first) = places.first() else { return Ok(None) };
         let quantities = self.quantities(at, first.symbol);
+        let shown = |place: &Place| text::plain(&checker.model.name(place.symbol));
         for place in &places {
             for (name, quantity) in quantities.iter().filter(|_| place.symbol == first.symbol) {
                 if self.is_flat(quantity, place)? == Some(true) {
-                    let message = format!("the derivative of {name} is 0 at this place");
+                    let message = format!("the derivative of {name} by {} is 0 at this value of {0}", shown(place));
                     return Ok(Some(finding(Verdict::Verified, Code::Holds, message)));
                 }
             }
@@ -110,7 +111,7 @@ impl Course<'_, '_> {
             };
             if self.is_flat(quantity, &edited)? == Some(true) {
                 let repair = Repair::of(edit, display.body.start, Verdict::Verified);
-                let message = format!("the derivative of {name} is not 0 at this place");
+                let message = format!("the derivative of {name} by {} is not 0 at this value of {0}", shown(first));
                 let wrong = finding(Verdict::Refuted, Code::SidesDiffer, message);
                 return Ok(Some(Equation { repairs: vec![repair], ..wrong }));
             }

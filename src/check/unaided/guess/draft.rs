@@ -64,7 +64,7 @@ fn indented(value: &Value) -> String {
 fn reason(role: &str, range: &str, usage: Option<&Usage>) -> String {
     let moves = "it has a dot or stands under d/dt";
     let role = match role {
-        "means" => return format!("the {range}, because a display defines it and the notes speak of it"),
+        "means" => return format!("the {range}, because a display defines it, and its formula or the text says so"),
         "formulas as names" => return "one quantity, because its parts have no values of their own".to_owned(),
         "functions" => return "a function, because names stand in parentheses after it".to_owned(),
         "coordinates" => format!("a coordinate, because {moves} and the notes print a Lagrangian"),

@@ -105,7 +105,7 @@ fn compare(
     };
     let says = |id: &str| {
         let (called, beside) = (custom.called, if at == of { String::new() } else { format!(" with ({id})") });
-        format!("the {called} {} is not {relation}{beside}; a likely mistake explains it", name(one))
+        format!("the {called} {} is not {relation}{beside}, but it is after the suggested edit", name(one))
     };
     let (id, other_id) = (found[at].id.clone(), found[of].id.clone());
     let (one_is_tested, other_is_tested) =

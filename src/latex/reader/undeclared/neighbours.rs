@@ -45,9 +45,11 @@ impl Reader<'_> {
         if matches!(&item.layout, Layout::Command(name) if ARROWS.contains(&name.as_str())) {
             return Err(Fault::unsupported(
                 item.span,
-                format!("the arrow {} cannot be a factor", typed(&items[at..=at])),
+                format!("the arrow {} is not supported as a symbol of its own", typed(&items[at..=at])),
             )
-            .help("write the arrow as a subscript, or leave it out"));
+            .help(
+                "write the arrow as a subscript, as in n_\\uparrow, or leave it out; write a reaction as an equation",
+            ));
         }
         let Some(before) = items[..at].iter().rev().find(|item| !matches!(item.layout, Layout::Space(_))) else {
             return Ok(());
