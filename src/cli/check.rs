@@ -196,7 +196,7 @@ fn given(arguments: &Arguments) -> Result<(Vec<&Path>, Vec<PathBuf>)> {
     let (more, paths): (Vec<&Path>, Vec<&Path>) = paths.partition(is_claims);
     if paths.is_empty() {
         return Err(Error::new("--claims names a claims file, and the command names no notes to check")
-            .help("name the notes too: onshell check notes.md --claims claims.json"));
+            .help("give the notes too: onshell check notes.md --claims claims.json"));
     }
     let mut claims = Vec::new();
     for path in arguments.claims.iter().map(PathBuf::as_path).chain(more) {

@@ -76,7 +76,7 @@ enum Named {
 fn notes_of(path: &Path, overwrite: bool) -> Result<Vec<Result<Named>>> {
     if path.extension().is_some_and(|extension| extension == "json") {
         return Err(Error::new(format!("{} is not a file of notes", path.display()))
-            .help("name the notes; their claims file gets the same name with .json"));
+            .help("give the file of the notes, as in onshell init notes.md; its claims file will be notes.json"));
     }
     let named = |job| match job {
         Job::Notes(notes) | Job::Pair { notes, .. } => Ok(Named::Notes(notes)),

@@ -98,9 +98,8 @@ impl Address {
                 (Some(one), None, _) => items.push(Item::One(one)),
                 (Some(from), Some(to), None) => items.push(Item::Range(from, to)),
                 _ => {
-                    return Err(
-                        invalid(place(member), "a range of equations needs two ends").help("as in `3.52 .. 3.56`")
-                    );
+                    return Err(invalid(place(member), "a range of equations needs two ends")
+                        .help("write a range as `3.52 .. 3.56`"));
                 }
             }
         }

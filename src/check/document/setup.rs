@@ -166,8 +166,8 @@ pub(crate) fn whole_only(claims: &Claims, address: &Address, claim: &Claim) -> R
     let is_in_a_list = address.items.len() > 1
         && address.items.iter().any(|item| matches!(item, Item::One(point) if is_partial(point)));
     if is_in_a_list {
-        return Err(Error::at(&claims.source, address.span, "a part of an equation cannot be in a list of addresses")
-            .help("give each part an address of its own"));
+        return Err(Error::at(&claims.source, address.span, "a part of an equation cannot be in a list of equations")
+            .help("write a separate claim for each part"));
     }
     if address.single().is_some_and(is_partial) && (!claim.errata.is_empty() || claim.for_each.is_some()) {
         return Err(Error::at(&claims.source, address.span, "\"erratum\" and \"for each\" are about a whole equation")

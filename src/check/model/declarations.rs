@@ -229,7 +229,7 @@ impl Builder<'_> {
             _ => {
                 if self.model.frame.is_some() {
                     return Err(self
-                        .error(latex, "only one frame can turn")
+                        .error(latex, "only one rotating frame is supported")
                         .help("remove this declaration, or the earlier one"));
                 }
                 let id = self.add(latex, kind, Meaning::Frame(FrameQuantity::AngularVelocity))?;
@@ -285,7 +285,7 @@ impl Builder<'_> {
                 place.span,
                 format!("{latex} is not the angular velocity of a frame"),
             )
-            .help("declare it under \"varies with time\", as \"any\" or \"fixed direction\"; only one frame can turn")),
+            .help("declare it under \"varies with time\", as \"any\" or \"fixed direction\"; only one rotating frame is supported")),
         }
     }
 

@@ -20,8 +20,9 @@ pub(crate) enum Job {
 pub(crate) fn find(path: &Path, claims: &[PathBuf]) -> Result<Vec<Job>> {
     if path.is_dir() {
         if !claims.is_empty() {
-            return Err(Error::new(format!("--claims cannot be used with the folder {}", path.display()))
-                .help("name the notes, or leave out --claims; then the claims file beside each document is used"));
+            return Err(Error::new(format!("--claims cannot be used with the folder {}", path.display())).help(
+                "give the file of the notes, or leave out --claims; then the claims file beside each document is used",
+            ));
         }
         let mut jobs = Vec::new();
         folder(path, &mut jobs)?;

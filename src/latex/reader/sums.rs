@@ -181,9 +181,14 @@ impl Reader<'_> {
     /// The excluded value of an index: another index with the same range, or a number.
     fn left_out(&self, item: &Item, index: IndexId) -> Read<Index> {
         if let Some(other) = self.letter(item) {
-            return match other != index && self.symbols.same_range(index, other) {
+            if other == index {
+                return Err(Fault::index(item.span, "this sum compares its index with itself")
+                    .help("compare it with another index, or with a whole number in its range"));
+            }
+            return match self.symbols.same_range(index, other) {
                 true => Ok(Index::Letter(other)),
-                false => Err(Fault::index(item.span, "these two indices have different ranges")),
+                false => Err(Fault::index(item.span, "these two indices have different ranges")
+                    .help("use indices with the same range, or a whole number in place of this index")),
             };
         }
         let value = whole_number(item).and_then(|value| u8::try_from(value).ok());
@@ -191,8 +196,9 @@ impl Reader<'_> {
             Some(value) if (1..=self.symbols.indices[index.0].upper).contains(&value) => Ok(Index::Fixed(value)),
             _ => Err(Fault::index(
                 item.span,
-                "a sum can leave out only the value of another index, or a number that its index can be",
-            )),
+                "a sum can exclude only the value of another index, or a whole number in the range of its own index",
+            )
+            .help("write \\sum_{i \\ne j} with two indices, or \\sum_{i \\ne 2} with a number")),
         }
     }
 

@@ -107,7 +107,7 @@ fn decide(
             for place in others.into_iter().filter(|_| is_contradicted) {
                 if found[place].finding.verdict == Verdict::Refuted {
                     let message = format!(
-                        "this does not follow from ({name}), but ({name}) may be wrong, because ({other}) contradicts ({name})"
+                        "this does not follow from ({name}); ({name}) may be wrong, because ({other}) contradicts it"
                     );
                     found[place] = undecided(&found[place], message);
                 }
