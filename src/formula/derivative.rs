@@ -305,7 +305,7 @@ impl Differentiator<'_> {
         let Some(value) = any_function::value_of(expr, self.symbols) else { return Ok(self.zero_like(expr)) };
         // One order more would be the same at all places, or 0.
         if value.orders.iter().sum::<u32>() + 2 > value.function.degree {
-            return Err(NoDerivative::Operation("so high a derivative of a function without a formula"));
+            return Err(NoDerivative::Operation("a function without a formula to so high an order"));
         }
         let mut terms = Vec::new();
         for (at, argument) in value.arguments.iter().enumerate() {
