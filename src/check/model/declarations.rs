@@ -285,7 +285,7 @@ impl Builder<'_> {
                 place.span,
                 format!("{latex} is not the angular velocity of a frame"),
             )
-            .help("declare it under \"varies with time\", as \"any\" or \"fixed direction\"; only one such frame is supported")),
+            .help("declare it under \"varies with time\", as \"any\" or \"fixed direction\"; only one is supported")),
         }
     }
 

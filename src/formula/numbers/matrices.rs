@@ -6,7 +6,7 @@ use crate::scalar::Number;
 
 use super::super::operators::MatrixFunction;
 
-/// The largest number of rows of which a determinant or an inverse is computed. Messages in `formula::operations` name it.
+/// The largest number of rows of which a determinant or an inverse is computed. Messages name it.
 pub const LARGEST: usize = 6;
 
 impl MatrixFunction {
