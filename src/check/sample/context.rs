@@ -209,7 +209,7 @@ impl<'a> Context<'a> {
             Unavailable::Operation(what) => (
                 Code::NotSupported,
                 format!(
-                    "the equation uses {what}, which cannot be evaluated; write the equation without this, or leave it \
+                    "the formula uses {what}, which cannot be evaluated; write it without this, or leave the equation \
                      out with \"skip\" in a claims file"
                 ),
             ),
