@@ -85,7 +85,7 @@ fn fix_documents(report: &Report, yes: bool, style: Style, fixed: &mut Fixed) ->
         fixed.told.extend(document.equations.iter().filter(unclear).map(|equation| {
             let why = match equation.finding.code {
                 Code::Contradiction => "two displays contradict each other, and only you know which is wrong",
-                _ => "no suggested edit of this equation is likely enough for --fix",
+                _ => "no suggested edit of this equation is safe to make automatically",
             };
             format!("({}) was not edited: {why}; choose an edit by hand", equation.id)
         }));

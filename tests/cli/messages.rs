@@ -344,7 +344,7 @@ fn fix_says_what_it_did_or_why_it_did_nothing() {
     assert_eq!((run.code, text.as_str()), (2, wrong));
     let unclear = "$$ (a+b)^2 = a^2 - 2ab + b^2 \\tag{1} $$\n";
     let (run, text) = fixed("fix-unclear", unclear, &["--yes"]);
-    says(&run, &["(1) was not edited: no suggested edit of this equation is likely enough for --fix"]);
+    says(&run, &["(1) was not edited: no suggested edit of this equation is safe to make automatically"]);
     assert_eq!(text, unclear);
     let (run, _) = fixed("fix-nothing", "$$ a = a b c + 7 \\tag{1} $$\n", &[]);
     says(&run, &["nothing was edited: there is no suggestion"]);
