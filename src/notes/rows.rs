@@ -127,8 +127,6 @@ const RELATIONS: &[&str] = &[
     "\\to",
     "\\rightarrow",
     "\\longrightarrow",
-    "\\stackrel",
-    "\\overset",
     "\\coloneqq",
     "\\doteq",
     "\\leqslant",
@@ -147,7 +145,16 @@ pub(super) fn starts_with_relation(text: &str) -> bool {
     if text.starts_with(['=', '<', '>']) || text.starts_with(":=") {
         return true;
     }
-    text.starts_with('\\') && RELATIONS.contains(&&text[..tex_scanner::word_end(text.as_bytes(), 0)])
+    let Some(name) = text.starts_with('\\').then(|| &text[..tex_scanner::word_end(text.as_bytes(), 0)]) else {
+        return false;
+    };
+    RELATIONS.contains(&name) || ["\\stackrel", "\\overset"].contains(&name) && is_stacked_relation(&text[name.len()..])
+}
+
+/// Whether what stands below a mark is a relation, as in `{!}{=}`; it may be a letter with dots, `{..}{x}`.
+fn is_stacked_relation(arguments: &str) -> bool {
+    let Some((_, below)) = arguments.split_once('}') else { return false };
+    below.trim_start().strip_prefix('{').is_some_and(starts_with_relation)
 }
 
 /// The place after the last relation of a row that stands in no braces, environment or `\left … \right`.

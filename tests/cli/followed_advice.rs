@@ -39,7 +39,7 @@ fn what_a_formula_should_be_is_written_with_the_letters_of_the_author() {
         ("√x", "write \\sqrt{x}", "\\sqrt{x}"),
         ("\\sqrt[n]{x}", "write the root as a power, x^{1/n}", "x^{1/n}"),
         ("1e3", "write 1 \\cdot 10^{3}", "1 \\cdot 10^{3}"),
-        ("\\mathbf{F = ma}", "outside of all braces", "\\mathbf{F} = m\\mathbf{a}"),
+        ("\\vec{F = ma}", "outside of all braces", "\\vec{F} = m\\vec{a}"),
     ] {
         let (code, said) = onshell("read", &["read", wrong]);
         assert!(code != 0 && said.contains(says), "{wrong}: no “{says}” in:\n{said}");

@@ -246,7 +246,7 @@ impl<'p> World<'p> {
         let usage = usages.iter().find(|usage| usage.name == *name);
         let moves = usage.is_some_and(|usage| usage.moves) || self.rated.contains(name);
         let range = match usage {
-            Some(usage) if usage.positive && !is_vector && !moves => Range::Positive,
+            Some(usage) if usage.positive && !usage.opposite && !is_vector && !moves => Range::Positive,
             Some(usage) if usage.angle && !is_vector => Range::Angle,
             _ => Range::Any,
         };

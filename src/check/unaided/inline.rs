@@ -209,9 +209,14 @@ pub(super) fn leads_to(notes: &Notes, span: Span, place: usize) -> bool {
     let is_allowed = |word: &str| {
         let word = word.trim_end_matches('.').to_lowercase();
         let is_reference = ["\\eqref", "\\ref", "("].iter().any(|mark| word.starts_with(mark));
-        word.is_empty() || is_reference || BETWEEN.contains(&word.as_str())
+        word.is_empty() || is_reference || connects(&word)
     };
     !between.trim_end().contains("\n\n") && words.into_iter().all(is_allowed)
+}
+
+/// Whether a word may stand between a formula and another one that follows from it.
+pub(super) fn connects(word: &str) -> bool {
+    BETWEEN.contains(&word)
 }
 
 /// The formula in a sentence as a display, if it is one equality.

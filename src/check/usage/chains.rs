@@ -12,12 +12,17 @@ pub(super) type Side = (Option<Name>, Vec<Name>);
 ///
 /// In `mgh = \frac12 mv^2 = E` nothing has a name on the left, and in `v = \dot x = v_0` a rate gets a value: neither is a name for
 /// a formula.
+///
+/// In `U = RI = U_0` the same quantity gets a value in one case.
 pub(super) fn name_at_the_end(sides: &[Side], is_constant: bool) -> Option<Name> {
     let sides = match sides {
         [sides @ .., (None, inside)] if is_constant && inside.is_empty() => sides,
         sides => sides,
     };
-    let [(Some(_), _), .., (None, formula), (Some(name), _)] = sides else { return None };
+    let [(Some(first), _), .., (None, formula), (Some(name), _)] = sides else { return None };
+    if first.base.eq_ignore_ascii_case(&name.base) {
+        return None;
+    }
     let is_used = sides[..sides.len() - 1].iter().any(|(_, inside)| inside.contains(name));
     // What depends on the time explicitly has a value at one instant only, as in `x = vt = L`.
     let is_at_an_instant = formula.contains(&Name::plain("t"));

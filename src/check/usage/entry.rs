@@ -11,6 +11,8 @@ pub(crate) struct Usage {
     pub moves: bool,
     /// Whether it stands under a root, in a denominator or in a logarithm.
     pub positive: bool,
+    /// Whether it is said to be the opposite of another name, as in `R_2 = -R_1`.
+    pub opposite: bool,
     /// Whether it stands alone between bars, as E in |E|.
     pub modulus: bool,
     /// Whether it stands alone in a sine or a cosine.
@@ -54,6 +56,7 @@ pub(super) fn entry<'f>(found: &'f mut Vec<Usage>, name: &Name, at: usize) -> &'
             name: name.clone(),
             moves: false,
             positive: false,
+            opposite: false,
             modulus: false,
             angle: false,
             scales: false,

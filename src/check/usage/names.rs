@@ -52,9 +52,15 @@ pub(crate) fn names_of(displays: &[Display], macros: &Macros) -> Vec<Usage> {
         for statement in items.split(ends_statement) {
             if let [left, right] = statement.split(is_relation).collect::<Vec<_>>().as_slice()
                 && let Some(name) = lone_name(left)
-                && let Some(product) = product(right)
             {
-                entry(&mut found, &name, at).product.get_or_insert(product);
+                if let Some(product) = product(right) {
+                    entry(&mut found, &name, at).product.get_or_insert(product);
+                }
+                let mut solid = right.iter().filter(|item| !is_space(item));
+                let is_negative = solid.next().is_some_and(|first| first.layout == Layout::Other('-'));
+                if is_negative && lone_name(&solid.cloned().collect::<Vec<Item>>()).is_some() {
+                    entry(&mut found, &name, at).opposite = true;
+                }
             }
             let is_constant = statement.iter().any(|item| crate::latex::says_constant(item).is_some());
             if is_constant {

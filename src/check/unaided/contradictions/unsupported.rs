@@ -70,6 +70,10 @@ pub(in crate::check::unaided) fn against_premises(course: &Course<'_, '_>, found
         let Some(place) = at.checked_sub(first).filter(|place| found.get(*place).is_some_and(is_open)) else {
             continue;
         };
+        // In a special case a law may look otherwise.
+        if set.iter().any(|premise| course.sets_a_value(premise.at)) {
+            continue;
+        }
         for premise in set {
             let Some(premised) = premise.at.checked_sub(first) else { continue };
             let is_free = premise.said == Said::Whole

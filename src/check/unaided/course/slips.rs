@@ -2,6 +2,7 @@
 
 use crate::Result;
 use crate::check::document::checker::Checker;
+use crate::check::model::meaning::Meaning;
 use crate::check::repair::suggest::Search;
 use crate::check::unaided::course::{Course, named};
 use crate::check::unaided::dimensions;
@@ -27,6 +28,17 @@ const INEQUALITIES: [&str; 12] =
     ["<", ">", "≤", "≥", "\\lt", "\\gt", "\\le", "\\ge", "\\leq", "\\geq", "\\leqslant", "\\geqslant"];
 
 impl Course<'_, '_> {
+    /// The place of the name on the left side, if another display gives it a formula.
+    fn name_given_again(&self, at: usize) -> Option<Span> {
+        let reading = &self.checker.readings[at];
+        let [Ok(statement)] = reading.statements.as_slice() else { return None };
+        let first = statement.members.first()?;
+        let id = first.as_plain_symbol()?;
+        let is_defined = matches!(self.checker.model.meaning(id), Some(Meaning::Defined(_)));
+        let is_introduced_here = reading.introduced.iter().any(|new| new.symbol == id);
+        (is_defined && !is_introduced_here).then(|| first.span.shifted(self.checker.notes.equations[at].body.start))
+    }
+
     /// The finding that a display is wrong, if a likely slip separates it from what follows.
     pub(in crate::check::unaided) fn slip(
         &self,
@@ -82,6 +94,14 @@ impl Course<'_, '_> {
         repairs.retain(|repair| gate::is_likely(repair, display, &around) && !self.brings_doubt(at, repair));
         if is_supposed {
             repairs.retain(may_be_under_a_condition);
+        }
+        // The name of a quantity that has a formula already is no slip: `\lambda = 2a`, and later `\lambda = 2a\sin\theta`.
+        if let Some(name) = self.name_given_again(at) {
+            repairs.retain(|repair| !name.contains(repair.span));
+        }
+        // In a special case one name may stand for another one.
+        if set.iter().any(|premise| self.sets_a_value(premise.at)) {
+            repairs.retain(|repair| !matches!(repair.slip, Slip::Symbol | Slip::Index | Slip::Name));
         }
         // An inequality holds in a range that the notes need not print; only its direction can be seen to be wrong.
         if quick.finding.code == Code::InequalityFails {

@@ -291,6 +291,7 @@ impl Guess {
             let is_measure = MEASURES.contains(&usage.name.base.as_str());
             // Of a positive number nobody prints the modulus.
             let positive = !usage.modulus
+                && !usage.opposite
                 && (usage.positive || usage.exponential || is_measure && (has_heats || usages.iter().any(is_alike)));
             let range = match (is_vector, usage.angle, positive) {
                 (false, ..) if is_ratio_of_heats(usage) => HEATS,

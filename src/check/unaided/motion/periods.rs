@@ -1,8 +1,8 @@
 //! A period beside its angular frequency, and a wavelength beside its wave number.
 //!
 //! By custom `T_0` is 2π over `\omega_0`, `f` is `\omega` over 2π, and `\lambda` is 2π over `k`. Where one display gives such a name a
-//! formula with π in it, and a display near it gives the other name a formula, the two are compared. Only where a likely slip
-//! lies between them one of the two is wrong: the same letters may mean other things.
+//! formula with π in it, and a display near it gives the other name a formula, the two are compared. Only where an inverted fraction
+//! or a wrong power lies between them one of the two is wrong: the same letters may mean another motion.
 
 use crate::Result;
 use crate::check::document::checker::Checker;
@@ -16,6 +16,7 @@ use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::formula::symbols::Kind;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
+use crate::latex::slips::Slip;
 
 /// Letters of two quantities, and what one is in terms of the other.
 struct Custom {
@@ -93,7 +94,13 @@ fn compare(
     if equal(&one.formula, other.formula.clone())? {
         return Ok(());
     }
-    let is_plausible = |at: usize, repair: &Repair| !dimensions::are_spoilt(checker, at, repair);
+    // By a number or another name the motion of another system differs: two springs in place of one, half a period.
+    let is_plausible = |at: usize, repair: &Repair| {
+        let is_of_numbers = !has_letters(checker.source.slice(repair.span)) && !has_letters(&repair.replacement);
+        matches!(repair.slip, Slip::Fraction | Slip::Exponent)
+            && (repair.slip == Slip::Exponent || !is_of_numbers)
+            && !dimensions::are_spoilt(checker, at, repair)
+    };
     let of_one = corrected(checker, one, &|formula| equal(&formula, other.formula.clone()))?
         .filter(|repair| is_plausible(one.at, repair));
     let of_other = corrected(checker, other, &|formula| equal(&one.formula, formula))?
@@ -167,4 +174,11 @@ fn has_pi(formula: &Expr) -> bool {
     let mut found = false;
     formula.walk(&mut |part| found |= part.node == Node::Pi);
     found
+}
+
+/// Whether a text has names, and not only numbers in fractions and roots.
+fn has_letters(text: &str) -> bool {
+    let marks = ["\\frac", "\\tfrac", "\\dfrac", "\\sqrt"];
+    let bare = marks.iter().fold(text.to_owned(), |text, mark| text.replace(mark, ""));
+    bare.contains(char::is_alphabetic)
 }

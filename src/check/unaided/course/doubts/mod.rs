@@ -6,6 +6,7 @@
 
 mod derivatives;
 mod differentiated;
+mod ended_cases;
 mod general_laws;
 mod integrals;
 
