@@ -129,6 +129,8 @@ mod unaided_sentences;
 mod unaided_series;
 #[path = "cli/unaided_solutions.rs"]
 mod unaided_solutions;
+#[path = "cli/unaided_special_cases.rs"]
+mod unaided_special_cases;
 #[path = "cli/unaided_states.rs"]
 mod unaided_states;
 #[path = "cli/unaided_told.rs"]

@@ -195,6 +195,10 @@ impl Reader<'_> {
                 run.end += 1;
                 if matches!(item.layout, Layout::Fraction(..) | Layout::Root(..)) && !is_numeric_item(item) {
                     run.stands_alone = true;
+                    if let Some(end) = self.time_after_a_root(items, run.end - 1) {
+                        (run.stands_alone, run.end) = (false, end);
+                        run.symbols.push((true, Name::plain("t")));
+                    }
                     break;
                 }
                 continue;
@@ -205,8 +209,8 @@ impl Reader<'_> {
                 break;
             }
             // `\cos\theta\,\mathbf{e}_x`: no argument has a vector as its last factor.
-            let dot_follows = || items.get(run.end + 1).and_then(joint).is_some();
-            if !run.symbols.is_empty() && is_direction(&printed.name) && !dot_follows() {
+            let has_dot = items.get(run.end + 1).and_then(joint).is_some();
+            if !run.symbols.is_empty() && is_direction(&printed.name) && !has_dot {
                 break;
             }
             // `\cos\Delta\theta`: Δ and its letter are one symbol.
@@ -245,10 +249,9 @@ impl Reader<'_> {
             let entry = self.symbols.find(&printed.name).map(|(id, _)| self.symbols.entry(id));
             let (angle, varies) = entry.map_or((false, false), |entry| (entry.angle, entry.varies));
             // `v_0\cos\theta\,t`: without declarations a usual angle before a thin space ends the argument.
-            let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
             let is_usual = self.symbols.open
                 && is_letter_of_an_angle(&printed.name)
-                && items.get(run.end + 1).is_some_and(is_space);
+                && matches!(items.get(run.end + 1), Some(Item { layout: Layout::Space(_), .. }));
             let is_angle = (angle || is_usual) && printed.dots == 0;
             run.symbols.push((is_angle, printed.name));
             run.is_rate = printed.dots > 0;
@@ -386,8 +389,7 @@ impl Reader<'_> {
         Ok(sure && !could_go_on)
     }
 
-    /// Whether a parenthesis after one angle is a factor: `\cos\theta(1 + \cos\theta)`, `\sin\theta[\omega]`. A place or a time
-    /// in it may be the argument of the angle.
+    /// Whether a parenthesis after one angle is a factor, `\cos\theta(1 + \cos\theta)`, and no argument of the angle.
     fn ends_before(&self, run: &Run, next: &Item) -> bool {
         let [(_, name)] = run.symbols.as_slice() else { return false };
         let is_usual =

@@ -106,3 +106,14 @@ fn other_spellings_are_read_alike() {
     are_refused(&["w = \\frac{L + iv}{L - w}"]);
     assert_eq!(read("\\frac{x}{y} \\text{ for } z > 1"), Some("x/y for z > 1".into()));
 }
+
+#[test]
+fn a_root_before_the_time_is_a_frequency() {
+    are_read(&[
+        ("x = A\\cos\\sqrt{\\frac{k}{m}}\\, t", "x = A·cos(√(k/m)·t)"),
+        ("x = A\\cos\\sqrt{k/m} t + B\\sin\\sqrt{k/m}t", "x = A·cos(√(k/m)·t) + B·sin(√(k/m)·t)"),
+        ("x = \\cos\\sqrt{x}\\,y", "x = cos(√(x))·y"),
+    ]);
+    // What stands after the time may be a factor.
+    are_refused(&["y = \\cos\\sqrt{k/m} tx"]);
+}

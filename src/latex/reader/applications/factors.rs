@@ -1,7 +1,7 @@
 //! Parentheses after a name that hold a factor by what stands in or beside them.
 
 use crate::formula::SymbolId;
-use crate::formula::symbols::Kind;
+use crate::formula::symbols::{Kind, Name};
 
 use super::super::super::layout::{Delimiter, Item, Layout};
 use super::super::super::names;
@@ -71,5 +71,21 @@ impl Reader<'_> {
         let is_operator = rest.next().and_then(parenthesis).is_some_and(|(_, inside)| inside.len() > 1);
         let next = rest.next().and_then(|next| names::printed(next, self.branch));
         is_wave && is_operator && next.is_some_and(|next| next.name.base == base)
+    }
+
+    /// Where the argument ends in which a root is a frequency: `\cos\sqrt{\frac km}\,t`, the root at a place and the time after it. A
+    /// letter or a number after the time may be a factor.
+    pub(in crate::latex::reader) fn time_after_a_root(&self, items: &[Item], at: usize) -> Option<usize> {
+        let is_root = matches!(items.get(at)?.layout, Layout::Root(..));
+        let spaces = items[at + 1..].iter().take_while(|item| matches!(item.layout, Layout::Space(_))).count();
+        let end = at + 1 + spaces + 1;
+        let time =
+            names::printed(items.get(end - 1)?, self.branch).filter(|found| found.dots == 0 && found.sup.is_none());
+        let is_time = time.is_some_and(|found| match &self.symbols.time {
+            Some(time) => found.name == *time,
+            None => self.symbols.open && found.name == Name::plain("t"),
+        });
+        let ends = items[end..].iter().all(|item| matches!(item.layout, Layout::Space(_)));
+        (is_root && is_time && ends).then_some(end)
     }
 }

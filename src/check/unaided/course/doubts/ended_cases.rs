@@ -37,7 +37,9 @@ impl Course<'_, '_> {
         if inline::is_inline(notes, display) || !self.sets_a_value(at) {
             return false;
         }
-        let words = words_between(notes, sentence_start(notes, display.span.start), display.span.start);
+        // A blank line may stand between the words and the display.
+        let end = notes.source.text.get(..display.span.start).unwrap_or_default().trim_end().len();
+        let words = words_between(notes, sentence_start(notes, end), end);
         let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
         let has_number = members.into_iter().any(|member| member.symbols().is_empty());
         has_number || words.iter().any(|word| CASES.contains(&word.as_str()))

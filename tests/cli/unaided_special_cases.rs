@@ -1,0 +1,83 @@
+//! Notes without a claims file that state special cases, in sentences and in displays.
+
+use crate::support::verdicts;
+
+fn found(name: &str, notes: &str) -> Vec<String> {
+    verdicts(&format!("unaided-special-{name}"), notes)
+}
+
+const LENS: &str = r"The focal length of a thin lens is given by
+
+$$ \frac{1}{f} = (n-1)\left(\frac{1}{R_1} - \frac{1}{R_2}\right) $$
+
+For a symmetric lens $R_1 = R$ and $R_2 = -R$, so that
+
+$$ \frac{1}{f} = \frac{2(n-1)}{R} $$
+";
+
+const PULLEY: &str = r"The acceleration of the masses is
+
+$$ a = \frac{(m_1 - m_2) g}{m_1 + m_2 + I/R^2} $$
+
+For a massless pulley, $I = 0$, this becomes
+
+$$ a = \frac{(m_1 - m_2) g}{m_1 + m_2} $$
+";
+
+#[test]
+fn a_case_in_a_sentence_is_a_premise_of_what_follows() {
+    assert_eq!(found("lens", LENS)[1], "certified");
+    assert_eq!(found("pulley", PULLEY)[1], "certified");
+    let wrong = PULLEY.replace(r"{(m_1 - m_2) g}{m_1 + m_2} $$", r"{(m_1 - m_2) g}{m_1 - m_2} $$");
+    assert_ne!(wrong, PULLEY);
+    assert_eq!(found("pulley-slip", &wrong)[1], "refuted");
+    // What fails in the case makes no law wrong.
+    for slip in ["(n-1)}{R}", "2(n+1)}{R}"] {
+        let wrong = LENS.replace("2(n-1)}{R}", slip);
+        let verdicts = found("lens-slip", &wrong);
+        assert!(verdicts[0] != "refuted" && !["certified", "verified"].contains(&verdicts[1].as_str()), "{verdicts:?}");
+    }
+    // At a place other things hold than elsewhere.
+    let place =
+        PULLEY.replace("For a massless pulley, $I = 0$, this becomes", "At the top $I = 0$. The acceleration is");
+    assert_ne!(found("place", &place)[1], "certified");
+}
+
+/// After other words, and after a heading, the case holds no more: nothing false follows from it.
+#[test]
+fn a_case_in_a_display_ends_with_other_words() {
+    let collision = |end: &str| {
+        format!(
+            r"# Elastic collision
+
+$$ m_1 v_1 + m_2 v_2 = p $$
+
+$$ V = \frac{{p}}{{m_1+m_2}} $$
+
+For equal masses,
+
+$$ m_1 = m_2 $$
+
+$$ V = \frac{{v_1+v_2}}{{2}} $$
+
+{end}"
+        )
+    };
+    let false_result = r"$$ V = \frac{m_2 v_1+m_1 v_2}{m_1+m_2} $$";
+    assert_eq!(found("in-the-case", &collision(""))[3], "certified");
+    for words in ["In general again,", "# Other masses"] {
+        let verdicts = found("ended", &collision(&format!("{words}\n\n{false_result}\n")));
+        assert!(!["certified", "verified"].contains(&verdicts[4].as_str()), "{words}: {verdicts:?}");
+    }
+    // In the case itself it is right.
+    assert_eq!(found("goes-on", &collision(&format!("so that\n\n{false_result}\n")))[4], "certified");
+    let number = r"$$ E_n = n\epsilon $$
+
+$$ n = 1 $$
+
+# Another chapter
+
+$$ E_n = n^3\epsilon $$
+";
+    assert_ne!(found("number", number)[2], "certified");
+}
