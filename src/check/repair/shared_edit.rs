@@ -54,6 +54,9 @@ const TRIED_SLOWLY: usize = 60;
 /// The largest number of displays that cannot be read and are still tried with edits.
 const MOST_UNREADABLE: usize = 12;
 
+/// The same number where each trial derives the equations of motion anew.
+const TRIED_OF_A_LAGRANGIAN: usize = 120;
+
 /// The number of states that reject most edits.
 const STATES: usize = 2;
 
@@ -279,7 +282,12 @@ impl Checker<'_> {
         let pools: [(&dyn Fn() -> Pool, bool); 4] =
             [(&Pool::empty, false), (&own, false), (&all, false), (&terms, true)];
         // With each edit the states that obey hypotheses are sought again.
-        let most = if wrong.iter().all(|item| self.has_hypotheses(*item)) { TRIED_SLOWLY } else { TRIED };
+        let moves = self.readings[at].introduced.iter().any(|new| printed_lagrangian::is_part(self.model, new.symbol));
+        let most = match wrong.iter().all(|item| self.has_hypotheses(*item)) {
+            true => TRIED_SLOWLY,
+            false if moves => TRIED_OF_A_LAGRANGIAN,
+            false => TRIED,
+        };
         // Where all must pass, the edits are those of a Lagrangian, and each takes longer.
         let few = if least > 2 { pools.len() - 1 } else { pools.len() };
         for (pool, of_terms) in pools.into_iter().take(few) {
