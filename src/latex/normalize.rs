@@ -197,9 +197,7 @@ fn accent(label: &[Token]) -> Option<&'static str> {
         [Token { kind: TokenKind::Command(name), .. }] if ["\\to", "\\rightarrow"].contains(&name.as_str()) => {
             Some("\\vec")
         }
-        dots if dots.iter().all(is_dot) => {
-            ["\\dot", "\\ddot", "\\dddot"].get(dots.len().checked_sub(1)?).copied()
-        }
+        dots if dots.iter().all(is_dot) => ["\\dot", "\\ddot", "\\dddot"].get(dots.len().checked_sub(1)?).copied(),
         _ => None,
     }
 }

@@ -106,7 +106,7 @@ fn solutions_are_all_of_them_and_each_once() {
         (r"x_{\pm} = -b \pm \sqrt{b^2 - c}", "does not satisfy"),
         (r"x_{+} = b + \sqrt{b^2 - c}", "2 real solutions, but the notes give 1"),
         (r"x_{-} = b - \sqrt{b^2 - c}", "2 real solutions, but the notes give 1"),
-        (r"x_{+} = b + \sqrt{b^2 - c} , \quad x_{-} = \sqrt{b^2 - c} + b", "same solution"),
+        (r"x_{+} = b + \sqrt{b^2 - c} , \quad x_{-} = \sqrt{b^2 - c} + b", "solutions are the same"),
     ] {
         let (found, message) = solves(wrong);
         assert_eq!(found, Refuted, "{wrong}: {message}");

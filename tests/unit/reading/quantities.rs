@@ -104,7 +104,7 @@ fn a_macro_that_hides_the_spaces_of_a_unit_is_asked_for_them() {
             Err(fault) => fault.message.clone(),
         }
     };
-    assert!(read(r"3\rate").contains("a macro wrote ms"), "{}", read(r"3\rate"));
+    assert!(read(r"3\rate").contains("ms comes from a macro"), "{}", read(r"3\rate"));
     assert_eq!(read(r"3\speed"), "3·km/h");
     assert_eq!(read(r"3\of{m s^{-1}}"), "3·m/s");
 }
