@@ -104,7 +104,7 @@ fn hypotheses_that_together_fix_a_number_test_its_value_and_nothing_else() {
     };
     let found = lines("x^2 = 4", "x + y = 3");
     assert_eq!(found.finding.verdict, Undecided);
-    assert!(message(&found).contains("leave x one value"), "{}", message(&found));
+    assert!(message(&found).contains("allow only one value of x"), "{}", message(&found));
     // A system of equations that is solved for x.
     assert_eq!(outcome(&lines("x = 2", "x + y = 3").finding), Verified);
     assert_eq!(lines("x = 3", "x + y = 3").finding.verdict, Refuted);

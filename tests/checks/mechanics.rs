@@ -301,7 +301,7 @@ fn lagrangians_with_the_same_motion() {
         (r"F = \frac12 m\dot x^2 - \frac12 k x^2 + 2 a x\dot x t + a x^2", "they differ by d/dt of a·x^2·t"),
         (r"F = L + a\dot x\cos x", "they differ by a total time derivative"),
         (r"F = L - 2 a", "they differ by the constant −2·a"),
-        (r"F = a m\dot x^2 - a k x^2", "it is 2·a times it"),
+        (r"F = a m\dot x^2 - a k x^2", "it is 2·a times L"),
     ] {
         let (verdict, message) = said(&claims, &[SPRING, right], same());
         assert_eq!(verdict, Verified, "{right}: {message}");
