@@ -39,7 +39,7 @@ pub(crate) struct Usage {
     pub exponential: bool,
     /// The first display with it.
     pub first: usize,
-    /// The first display of which it is the whole left side.
+    /// The first display that gives it a formula: as its whole left side, or at the end of a chain.
     pub introduced: Option<usize>,
     /// Whether it is the left side of a relation somewhere, alone or with its arguments.
     pub given: bool,

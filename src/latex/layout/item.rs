@@ -160,6 +160,7 @@ impl Item {
 }
 
 /// The items inside a group, or the item itself.
+#[cfg(feature = "notes")]
 pub(crate) fn contents(item: &Item) -> &[Item] {
     match &item.layout {
         // `\frac{{\partial S}}{{\partial N}}`
@@ -172,6 +173,7 @@ pub(crate) fn contents(item: &Item) -> &[Item] {
 }
 
 /// The lists of items directly inside an item.
+#[cfg(feature = "notes")]
 pub(crate) fn parts(item: &Item) -> Vec<&[Item]> {
     match &item.layout {
         Layout::Group(items) | Layout::Fence(_, items) => vec![items],

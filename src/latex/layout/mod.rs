@@ -47,6 +47,7 @@ pub(crate) mod values;
 #[cfg(feature = "notes")]
 pub use item::Units;
 pub use item::{Delimiter, Item, Layout};
+#[cfg(feature = "notes")]
 pub(crate) use item::{contents, parts};
 pub use parser::layout;
 #[cfg(feature = "notes")]

@@ -54,11 +54,12 @@ pub(super) fn weighed(checker: &Checker<'_>, scope: &Scope, found: &mut [Equatio
         }
     }
     let [(energy, quantity)] = differing.as_slice() else { return Ok(()) };
-    let of_energy = corrected(checker, energy, &|formula| is_constant(checker, &(*quantity).clone().minus(formula)))?;
+    let of_energy =
+        corrected(checker, energy, &|_| true, &|formula| is_constant(checker, &(*quantity).clone().minus(formula)))?;
     let of_lagrangian = match (&kinetic, &potential) {
         (Some(kinetic), Some(potential)) => {
             let difference = |formula: Expr| formula.minus(kinetic.formula.clone().minus(potential.formula.clone()));
-            corrected(checker, &lagrangian, &|formula| is_constant(checker, &difference(formula)))?
+            corrected(checker, &lagrangian, &|_| true, &|formula| is_constant(checker, &difference(formula)))?
         }
         _ => None,
     };

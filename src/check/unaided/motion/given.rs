@@ -22,13 +22,15 @@ pub(super) struct Given {
     pub formula: Expr,
 }
 
-/// The likeliest edit of the display of a name that gives it the formula that is sought: a common slip, or a lost number.
+/// The likeliest edit of the display of a name that gives it the formula that is sought: a common slip, or a lost number, of a kind that
+/// may be one here.
 ///
 /// # Errors
 /// As for a check of an equation.
 pub(super) fn corrected(
     checker: &Checker<'_>,
     given: &Given,
+    may_be: &dyn Fn(&Edit) -> bool,
     is_sought: &dyn Fn(Expr) -> Result<bool>,
 ) -> Result<Option<Repair>> {
     let (model, display) = (checker.model, &checker.notes.equations[given.at]);
@@ -41,7 +43,7 @@ pub(super) fn corrected(
     let mut edits = slips::corrections(&display.text, &model.symbols, &model.macros, &Pool::empty());
     edits.retain(is_likely);
     edits.sort_by_key(|edit| rank(&display.text, edit, false));
-    for edit in edits.into_iter().chain(lost) {
+    for edit in edits.into_iter().chain(lost).filter(may_be) {
         let reading = read_display(&edit.applied(&display.text), &mut model.symbols.clone(), &model.macros);
         let statements = reading.statements.iter().flatten();
         let mut formulas = statements.filter_map(|statement| {

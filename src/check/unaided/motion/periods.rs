@@ -16,7 +16,7 @@ use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::formula::symbols::Kind;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
-use crate::latex::slips::Slip;
+use crate::latex::slips::{Edit, Slip};
 
 /// Letters of two quantities, and what one is in terms of the other.
 struct Custom {
@@ -94,17 +94,14 @@ fn compare(
     if equal(&one.formula, other.formula.clone())? {
         return Ok(());
     }
-    // By a number or another name the motion of another system differs: two springs in place of one, half a period.
-    let is_plausible = |at: usize, repair: &Repair| {
-        let is_of_numbers = !has_letters(checker.source.slice(repair.span)) && !has_letters(&repair.replacement);
-        matches!(repair.slip, Slip::Fraction | Slip::Exponent)
-            && (repair.slip == Slip::Exponent || !is_of_numbers)
-            && !dimensions::are_spoilt(checker, at, repair)
+    let is_plausible = |given: &Given, repair: &Repair| !dimensions::are_spoilt(checker, given.at, repair);
+    let edit_of = |given: &Given, is_sought: &dyn Fn(Expr) -> Result<bool>| -> Result<Option<Repair>> {
+        let text = &checker.notes.equations[given.at].text;
+        let found = corrected(checker, given, &|edit| changes_dimensions(text, edit), is_sought)?;
+        Ok(found.filter(|repair| is_plausible(given, repair)))
     };
-    let of_one = corrected(checker, one, &|formula| equal(&formula, other.formula.clone()))?
-        .filter(|repair| is_plausible(one.at, repair));
-    let of_other = corrected(checker, other, &|formula| equal(&one.formula, formula))?
-        .filter(|repair| is_plausible(other.at, repair));
+    let of_one = edit_of(one, &|formula| equal(&formula, other.formula.clone()))?;
+    let of_other = edit_of(other, &|formula| equal(&one.formula, formula))?;
     let name = |given: &Given| text::plain(&checker.model.name(given.id));
     let relation = match custom.is_inverse {
         true => format!("2π/{}", name(other)),
@@ -174,6 +171,16 @@ fn has_pi(formula: &Expr) -> bool {
     let mut found = false;
     formula.walk(&mut |part| found |= part.node == Node::Pi);
     found
+}
+
+/// Whether an edit inverts a fraction of names or changes a power. By a number or by another name the motion of another system differs: two
+/// springs in place of one, half a period.
+fn changes_dimensions(text: &str, edit: &Edit) -> bool {
+    match edit.slip {
+        Slip::Exponent => true,
+        Slip::Fraction => has_letters(&text[edit.span.range()]) || has_letters(&edit.replacement),
+        _ => false,
+    }
 }
 
 /// Whether a text has names, and not only numbers in fractions and roots.
