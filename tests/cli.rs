@@ -119,6 +119,8 @@ mod unaided_places;
 mod unaided_premises;
 #[path = "cli/unaided_readings.rs"]
 mod unaided_readings;
+#[path = "cli/unaided_rejected.rs"]
+mod unaided_rejected;
 #[path = "cli/unaided_restated.rs"]
 mod unaided_restated;
 #[path = "cli/unaided_rows.rs"]

@@ -81,3 +81,29 @@ $$ E_n = n^3\epsilon $$
 ";
     assert_ne!(found("number", number)[2], "certified");
 }
+
+/// In the ground state n is 1, which the notes do not say: no equation is wrong for want of it.
+#[test]
+fn names_that_a_case_drops_may_have_a_value_in_it() {
+    let atom = |case: &str| {
+        format!("$$ L = m v r = n\\hbar $$\n\n$$ r = n^2 a_0 $$\n\n{case}$$ v = \\frac{{\\hbar}}{{m a_0}} $$\n")
+    };
+    let in_case = found("ground-state", &atom("For the ground state\n\n$$ r = a_0 $$\n\n"));
+    assert_eq!(in_case[3], "assumed", "{in_case:?}");
+    assert_eq!(found("every-state", &atom("Hence\n\n"))[2], "refuted");
+}
+
+/// What the words say of one case is no premise in another one.
+#[test]
+fn a_relation_of_one_case_does_not_hold_in_another() {
+    let circuit = |words: &str| {
+        format!(
+            "$$ I = \\frac{{U}}{{R}} $$\n\nTwo resistors in series,\n\n$$ R = R_1 + R_2 $$\n\n{words}\n\n\
+             $$ I = \\frac{{U}}{{R_1+R_2}} $$\n"
+        )
+    };
+    assert_eq!(found("series", &circuit("Then"))[2], "certified");
+    assert_ne!(found("parallel", &circuit("Two in parallel:"))[2], "certified");
+    // Where the words speak of both, and where they cite the relation, it may be used.
+    assert_eq!(found("both", &circuit("In parallel it is less than in series, which gives"))[2], "certified");
+}

@@ -225,6 +225,17 @@ pub(super) fn are_spoilt(checker: &Checker<'_>, at: usize, repair: &Repair) -> b
     faults(&corrected) > faults(&display.text)
 }
 
+/// Whether a letter stands for what has a dimension in nearly all notes: a mass, a time, a length, a velocity, a force, an energy. Of
+/// other letters, such as α, ε, n and x, nobody knows.
+fn has_a_dimension(base: &str) -> bool {
+    const NAMES: [&str; 38] = [
+        "m", "M", "t", "T", "\\tau", "v", "V", "c", "g", "G", "F", "E", "\\ell", "l", "L", "r", "R", "h", "\\hbar",
+        "d", "s", "u", "P", "p", "A", "a", "q", "Q", "U", "I", "\\omega", "\\Omega", "\\lambda", "\\rho", "W", "B",
+        "H", "\\varrho",
+    ];
+    NAMES.contains(&base)
+}
+
 /// The symbols that have a dot in some statements.
 fn rates_of<'s>(statements: impl Iterator<Item = &'s Statement>) -> BTreeSet<SymbolId> {
     let members = statements.flat_map(|statement| &statement.members);
@@ -260,7 +271,8 @@ fn conflict(checker: &Checker<'_>, at: usize, all: &[(usize, Vec<&Statement>)]) 
     let misfits = own.iter().any(|statement| !with.statement(statement).is_empty());
     let used_often = |id: &SymbolId| uses.iter().filter(|used| *used == id).count() > 1;
     let names: BTreeSet<SymbolId> = pure(&with).difference(&before).copied().filter(used_often).collect();
-    if !misfits && names.is_empty() {
+    // A sum such as `1 + \alpha` says that α is a plain number, which is no conflict where it may be one.
+    if !misfits && !names.iter().any(|id| has_a_dimension(&symbols.entry(*id).name.base)) {
         return None;
     }
     // Two displays that contradict each other: either may be the wrong one.

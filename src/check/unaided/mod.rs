@@ -270,6 +270,11 @@ fn document(
         equations.retain(|equation| equation.id == only);
     }
     let inferred = [inferred, taken_from_sentences(notes, &mut equations)].concat();
+    for equation in &mut equations {
+        if let Some(rejected) = prose::rejected::found(notes, equation) {
+            *equation = rejected;
+        }
+    }
     let defines = |equation: &&Equation| equation.finding.verdict == Verdict::Definition;
     let definitions = equations.iter().filter(defines).map(|equation| equation.latex.clone()).collect();
     Document {
@@ -311,7 +316,12 @@ fn with_ids(notes: &Notes) -> Notes {
     if !complex::are_spoken_of(&notes) {
         notes.equations.iter_mut().for_each(|display| display.text = complex::without_stars(&display.text));
     }
-    for display in &mut notes.equations {
+    let rejected: Vec<bool> = (0..notes.equations.len()).map(|at| prose::rejected::is_rejected(&notes, at)).collect();
+    for (display, is_rejected) in notes.equations.iter_mut().zip(rejected) {
+        if is_rejected {
+            display.text = prose::rejected::blank(&display.text);
+            continue;
+        }
         if let Some(text) = remarks::blanked(&display.text) {
             display.text = text;
         }

@@ -421,7 +421,8 @@ pub(crate) fn sentence_start(notes: &Notes, end: usize) -> usize {
 
 /// The words between two places, in small letters. Formulas are no words.
 pub(crate) fn words_between(notes: &Notes, from: usize, to: usize) -> Vec<String> {
-    let words = without_formulas(notes, from, to).to_lowercase();
+    // Of two statements of one display the later may begin before the end of the first, with all of its environment.
+    let words = without_formulas(notes, from, to.max(from)).to_lowercase();
     words.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty()).map(str::to_owned).collect()
 }
 

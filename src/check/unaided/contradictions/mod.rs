@@ -14,6 +14,7 @@ mod vouched;
 use crate::Result;
 use crate::check::document::checker::Checker;
 use crate::check::repair::culprit::is_common;
+use crate::check::repair::suggest::Search;
 use crate::check::unaided::dimensions;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -21,6 +22,8 @@ use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
 use crate::formula::{Expr, Statement};
+use crate::latex::slips::Slip;
+use crate::notes::claims::Claim;
 
 /// Weighs the displays that were called wrong and use definitions; `first` is the place of the first finding.
 ///
@@ -49,7 +52,11 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
         let (id, name) = (found[place].id.clone(), found[defined].id.clone());
         // Two formulas for one name are alike: neither is more likely wrong for being the first.
         let are_alike = culprit.others.is_empty() && gives_its_name(checker, first + place, culprit.at);
-        if !are_alike && is_common_there && (!culprit.others.is_empty() || !is_common_here) {
+        let may_be_wrong_here = || -> Result<bool> {
+            let none = Claim::default();
+            Ok(is_common_here || wrong_itself(checker, first + place, &none)?.is_some())
+        };
+        if !are_alike && is_common_there && (!culprit.others.is_empty() || !may_be_wrong_here()?) {
             let message = match culprit.others.len() {
                 0 => format!("({id}) contradicts this definition, but agrees with it after the suggested edit"),
                 1 => format!("({id}) and another display contradict this definition"),
@@ -67,6 +74,29 @@ pub(super) fn weighed(checker: &Checker<'_>, first: usize, found: &mut [Equation
         }
     }
     unsupported::against_definitions(checker, first, found)
+}
+
+/// The finding that a display is wrong, if a slip of its own that authors often make explains it. What is said of another display must
+/// not be said where the edits of this one were not tried.
+fn wrong_itself(checker: &Checker<'_>, at: usize, claim: &Claim) -> Result<Option<Equation>> {
+    let found = checker.equation(at, Some(claim))?;
+    if found.finding.verdict != Verdict::Refuted {
+        return Ok(None);
+    }
+    let mut repairs = checker.own_repairs(at, &found, claim, Search::Thorough)?;
+    let is_usual = |repair: &Repair| is_common(repair.slip) || is_number(checker, repair);
+    repairs.retain(|repair| is_usual(repair) && !dimensions::are_spoilt(checker, at, repair));
+    Ok((!repairs.is_empty()).then_some(Equation { repairs, ..found }))
+}
+
+/// Whether a correction puts in or leaves out a number as a factor.
+fn is_number(checker: &Checker<'_>, repair: &Repair) -> bool {
+    let printed = checker.source.slice(repair.span);
+    let has_letter = |text: &str| {
+        let marks = ["\\frac", "\\tfrac", "\\dfrac", "\\cdot", "\\left", "\\right"];
+        marks.iter().fold(text.to_owned(), |text, mark| text.replace(mark, "")).contains(char::is_alphabetic)
+    };
+    repair.slip == Slip::Factor && !has_letter(printed) && !has_letter(&repair.replacement)
 }
 
 /// Whether a display gives a formula to a name that another one defines.

@@ -7,12 +7,12 @@ use crate::Result;
 use crate::check::document::checker::Checker;
 use crate::check::repair::culprit::is_common;
 use crate::check::unaided::contradictions::premises::edited;
-use crate::check::unaided::contradictions::{consistent, gives_its_name, refuted};
+use crate::check::unaided::contradictions::{consistent, contradicted, gives_its_name, open, refuted, wrong_itself};
 use crate::check::unaided::course::Course;
 use crate::check::unaided::dimensions;
 use crate::check::unaided::gate;
 use crate::check::unaided::inline;
-use crate::check::unaided::premises::{Premise, Said};
+use crate::check::unaided::premises::{self, Premise, Said};
 use crate::check::unaided::prose;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -53,7 +53,12 @@ pub(super) fn against_definitions(checker: &Checker<'_>, first: usize, found: &m
             continue;
         }
         let message = explained(&found[place].id, "definition");
-        let name = found[defined].id.clone();
+        let (id, name) = (found[place].id.clone(), found[defined].id.clone());
+        if let Some(wrong) = wrong_itself(checker, at, &Claim::default())? {
+            found[defined] = contradicted(&found[defined], &id);
+            found[place] = open(&wrong, &name, culprit.repair);
+            continue;
+        }
         found[defined] = refuted(&found[defined], &culprit.repair, message);
         found[place] = consistent(&found[place], &name);
     }
@@ -71,7 +76,7 @@ pub(in crate::check::unaided) fn against_premises(course: &Course<'_, '_>, found
             continue;
         };
         // In a special case a law may look otherwise.
-        if set.iter().any(|premise| course.sets_a_value(premise.at)) {
+        if set.iter().any(|premise| course.sets_a_value(premise.at)) || !course.left_open_by_a_case(*at).is_empty() {
             continue;
         }
         for premise in set {
@@ -88,6 +93,12 @@ pub(in crate::check::unaided) fn against_premises(course: &Course<'_, '_>, found
                 continue;
             };
             let (id, name) = (found[place].id.clone(), found[premised].id.clone());
+            let claim = premises::claim(&set.iter().collect::<Vec<&Premise>>());
+            if let Some(wrong) = wrong_itself(course.checker, *at, &claim)? {
+                found[premised] = contradicted(&found[premised], &id);
+                found[place] = open(&wrong, &name, repair);
+                break;
+            }
             found[premised] = refuted(&found[premised], &repair, explained(&id, "relation"));
             found[place] = consistent(&found[place], &name);
             break;

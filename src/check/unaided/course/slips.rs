@@ -86,6 +86,14 @@ impl Course<'_, '_> {
         if !set.is_empty() && is_degenerate(&quick) {
             return Ok(None);
         }
+        let open = if set.is_empty() { Vec::new() } else { self.left_open_by_a_case(at) };
+        let printed = gate::symbols_of(&display.text, checker.model);
+        let is_open = |id: &SymbolId| open.contains(id) && !printed.contains(id);
+        if set.iter().flat_map(|premise| &premise.symbols).any(is_open)
+            && !set.iter().any(|premise| self.sets_a_value(premise.at))
+        {
+            return Ok(None);
+        }
         let mut repairs = checker.own_repairs(at, &quick, claim, search)?;
         let is_solution = solves || basis == Basis::Solution;
         let origin = self.scope.origin_of(at, checker.notes.equations.len());
@@ -102,6 +110,11 @@ impl Course<'_, '_> {
         // In a special case one name may stand for another one.
         if set.iter().any(|premise| self.sets_a_value(premise.at)) {
             repairs.retain(|repair| !matches!(repair.slip, Slip::Symbol | Slip::Index | Slip::Name));
+        }
+        if !open.is_empty() {
+            let brings_one =
+                |repair: &Repair| gate::symbols_of(&self.corrected(at, repair), checker.model).iter().any(is_open);
+            repairs.retain(|repair| !brings_one(repair));
         }
         // An inequality holds in a range that the notes need not print; only its direction can be seen to be wrong.
         if quick.finding.code == Code::InequalityFails {

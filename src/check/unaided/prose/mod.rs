@@ -2,6 +2,8 @@
 //!
 //! Offers `before`, the words before a display, and what they announce. Knows the words of `prose_claims`, and notes.
 
+pub(super) mod contrasts;
+pub(super) mod rejected;
 mod words;
 
 use std::ops::Range;

@@ -7,7 +7,8 @@ use crate::check::document::inferred::prose::{sentence_start, words_between};
 use crate::check::unaided::course::Course;
 use crate::check::unaided::inline;
 use crate::check::unaided::premises::Premise;
-use crate::formula::{Expr, Node};
+use crate::check::unaided::prose::contrasts;
+use crate::formula::{Expr, Node, SymbolId};
 
 /// Words with which the sentence of a special case begins or that stand in it.
 const CASES: [&str; 22] = [
@@ -28,6 +29,76 @@ impl Course<'_, '_> {
             named.contains(&premise.at)
                 || !std::iter::once(&premise.at).chain(&premise.from).any(|place| has_ended(*place))
         });
+    }
+
+    /// Leaves out what the words say of another case than that of a display: in parallel R is another resistance than in series. A name
+    /// with a subscript is that of its case everywhere.
+    pub(in crate::check::unaided::course) fn leave_out_other_cases(
+        &self,
+        at: usize,
+        named: &[usize],
+        before: &mut Vec<Premise>,
+    ) {
+        let is_general = |place: usize| {
+            let statements = self.checker.readings[place].statements.iter().flatten();
+            let mut subjects = statements.filter_map(|statement| statement.members.first()?.as_plain_symbol());
+            subjects.any(|id| self.checker.model.symbols.entry(id).name.subscript.is_empty())
+        };
+        before.retain(|premise| {
+            let mut places = std::iter::once(&premise.at).chain(&premise.from);
+            named.contains(&premise.at)
+                || !places.any(|place| is_general(*place) && contrasts::differ(self.checker.notes, *place, at))
+        });
+    }
+
+    /// Leaves out the values that do not hold where a display does: after "when `r = R`" a display with r and R is about every r, and one
+    /// with c is not about units in which `c = 1`. In the middle of a chain stands what is put in.
+    pub(in crate::check::unaided::course) fn leave_out_other_values(
+        &self,
+        at: usize,
+        named: &[usize],
+        before: &mut Vec<Premise>,
+    ) {
+        let statements = self.checker.readings[at].statements.iter().flatten();
+        let ends =
+            statements.flat_map(|statement| statement.members.first().into_iter().chain(statement.members.last()));
+        let printed: Vec<SymbolId> = ends.flat_map(Expr::symbols).map(|(id, _)| id).collect();
+        let is_of_another = |place: usize| {
+            let [Ok(statement)] = self.checker.readings[place].statements.as_slice() else { return false };
+            let names: Option<Vec<Option<SymbolId>>> = statement.members.iter().map(name_or_number).collect();
+            let names: Vec<SymbolId> = names.into_iter().flatten().flatten().collect();
+            !names.is_empty() && names.iter().all(|id| printed.contains(id))
+        };
+        before.retain(|premise| {
+            let mut places = std::iter::once(&premise.at).chain(&premise.from);
+            // The sentences before a display name all formulas in them.
+            named.contains(&premise.at) && !premise.is_inline || !places.any(|place| is_of_another(*place))
+        });
+    }
+
+    /// The names that have another value in a special case that holds at a display, without saying so: after `r = n^2 a_0` it is n where,
+    /// for the ground state, `r = a_0`.
+    pub(in crate::check::unaided) fn left_open_by_a_case(&self, at: usize) -> Vec<SymbolId> {
+        let readings = self.checker.readings;
+        let names = |place: usize| {
+            let members = readings[place].statements.iter().flatten().flat_map(|statement| &statement.members);
+            members.flat_map(Expr::symbols).map(|(id, _)| id).collect::<Vec<_>>()
+        };
+        let subject = |place: usize| match readings[place].statements.as_slice() {
+            [Ok(statement)] => statement.members.first().and_then(Expr::as_plain_symbol),
+            _ => None,
+        };
+        let cases = (self.scope.carried..at).filter(|case| self.states_a_case(*case) && self.goes_on(*case, at));
+        let general = cases.flat_map(|case| {
+            let is_general = move |place: &usize| subject(*place).is_some() && subject(*place) == subject(case);
+            (0..case).filter(is_general).map(move |place| (place, case))
+        });
+        general
+            .flat_map(|(place, case)| {
+                let kept = names(case);
+                names(place).into_iter().filter(move |id| !kept.contains(id))
+            })
+            .collect()
     }
 
     /// Whether a display states a special case: the words say so, or it gives a name a number.
@@ -64,6 +135,15 @@ impl Course<'_, '_> {
             let words = words_between(self.checker.notes, displays[next - 1].span.end, displays[next].span.start);
             words.iter().all(|word| inline::connects(word))
         })
+    }
+}
+
+/// The name that a value is, or a rate of which it is one; no name, if it is a number.
+fn name_or_number(value: &Expr) -> Option<Option<SymbolId>> {
+    match &value.node {
+        Node::Symbol { id, .. } => Some(Some(*id)),
+        Node::Sum(terms) if terms.len() == 1 => name_or_number(&terms[0].expr),
+        _ => value.symbols().is_empty().then_some(None),
     }
 }
 

@@ -9,6 +9,7 @@ mod differentiated;
 mod ended_cases;
 mod general_laws;
 mod integrals;
+mod natural_units;
 
 use crate::check::document::inferred::open_energies::is_energy;
 use crate::check::model::meaning::Meaning;
@@ -36,6 +37,9 @@ impl Course<'_, '_> {
             let message = "this is a general law for a coordinate that the Lagrangian does not contain, so it was not \
                            checked";
             return Some(gate::settled(found, (Verdict::Definition, Code::Introduced), message.to_owned()));
+        }
+        if found.finding.verdict == Verdict::Refuted && !self.is_by_itself(at) && self.restores_a_unit(at) {
+            return Some(gate::as_it_counts(found.clone()));
         }
         let passes = found.finding.verdict.passes() && found.finding.verdict != Verdict::Definition;
         if (passes || found.finding.verdict == Verdict::Refuted) && self.uses_a_general_law(at) {

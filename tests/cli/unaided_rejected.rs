@@ -1,0 +1,84 @@
+//! Notes without a claims file whose words reject a formula, restore a unit, or give a value at another instant.
+
+use crate::support::verdicts;
+
+fn found(name: &str, notes: &str) -> Vec<String> {
+    verdicts(&format!("unaided-rejected-{name}"), notes)
+}
+
+const PENDULUM: &str = r"Students often write
+
+$$ T = 2\pi\sqrt{\frac{g}{l}} $$
+
+for the period. This cannot be. We get
+
+$$ \omega = \sqrt{\frac{g}{l}} $$
+
+$$ T = \frac{2\pi}{\omega} = 2\pi\sqrt{\frac{l}{g}} $$
+";
+
+/// What the author calls wrong is no premise and no slip.
+#[test]
+fn a_formula_that_the_words_reject_is_neither_judged_nor_used() {
+    let verdicts = found("pendulum", PENDULUM);
+    assert_eq!(verdicts[0], "undecided");
+    assert!(["certified", "verified"].contains(&verdicts[2].as_str()), "{verdicts:?}");
+    // Without these words the two periods contradict each other.
+    let plain = PENDULUM.replace("Students often write", "The period is").replace("This cannot be. We get", "We get");
+    assert_ne!(found("pendulum-plain", &plain), verdicts);
+    // A slip in what is not rejected is found.
+    let wrong = PENDULUM.replace(r"= 2\pi\sqrt{\frac{l}{g}} $$", r"= 2\pi\sqrt{\frac{g}{l}} $$");
+    assert!(!["certified", "verified"].contains(&found("pendulum-slip", &wrong)[2].as_str()));
+}
+
+/// A value at one instant is no identity: where both of its names stand in a display, this is about every instant.
+#[test]
+fn a_value_at_an_instant_does_not_hold_at_others() {
+    let orbit = |law: &str| {
+        format!(
+            "$$ L = m r^2\\dot\\varphi $$\n\nWith $r = R$ and $\\dot\\varphi = \\omega_0$ at the beginning, \
+             $L = mR^2\\omega_0$, so\n\n$$ \\dot\\varphi = {law} $$\n"
+        )
+    };
+    let passes = |verdict: &str| ["certified", "verified"].contains(&verdict);
+    assert!(passes(&found("orbit", &orbit(r"\omega_0\frac{R^2}{r^2}"))[1]));
+    assert!(!passes(&found("orbit-slip", &orbit(r"\omega_0\frac{R}{r}"))[1]));
+}
+
+/// Where the notes set c to 1, an equation with c is in other units than those before it.
+#[test]
+fn what_restores_a_unit_is_not_called_wrong() {
+    let notes = |set: &str| {
+        format!("{set} The energy is\n\n$$ E = \\gamma m, \\qquad p = \\gamma m v $$\n\nThen\n\n$$ \\frac{{pc}}{{E}} = \\frac vc $$\n")
+    };
+    assert_ne!(found("units", &notes("We set $c = 1$ from here on."))[1], "refuted");
+    assert_eq!(found("no-units", &notes("We begin."))[1], "refuted");
+}
+
+/// Small numbers may be plain numbers; a time may not.
+#[test]
+fn a_name_that_may_be_a_plain_number_makes_no_conflict_of_dimensions() {
+    let notes = "The two small numbers are $\\alpha$ and $\\beta$.\n\n$$ F = \\alpha P $$\n\n$$ G = \\beta P $$\n\n\
+                 $$ V = V_0(1+\\alpha)(1+\\beta) $$\n\n$$ \\alpha + \\beta = \\delta $$\n";
+    assert!(found("small", notes).iter().all(|verdict| verdict != "refuted"));
+    let polar = r"$$ T = \frac12 m(\dot x^2 + \dot y^2) $$
+
+In polar coordinates $x = r\cos\varphi$, $y = r\sin\varphi$:
+
+$$ \dot x = \dot r\cos\varphi - r\dot\varphi\sin\varphi $$
+
+$$ \dot y = \dot r\sin\varphi + r\dot\varphi\cos\varphi $$
+
+$$ T = \frac12 m(\dot r^2 + r\dot\varphi^2) $$
+";
+    assert_eq!(found("polar", polar)[3], "refuted");
+}
+
+/// A true definition is not blamed for a slip in the display that uses it.
+#[test]
+fn a_definition_is_not_called_wrong_where_its_consequence_may_be() {
+    let fall = |rate: &str| format!("$$ s = v_0 t + \\frac12 a t^2 $$\n\n$$ \\dot s = v_0 + {rate} $$\n");
+    assert_eq!(found("rate", &fall("a t"))[1], "certified");
+    let verdicts = found("rate-slip", &fall(r"\frac12 a t"));
+    assert!(verdicts[0] != "refuted" && verdicts[1] != "certified", "{verdicts:?}");
+}
