@@ -49,7 +49,9 @@ fn a_value_at_an_instant_does_not_hold_at_others() {
 #[test]
 fn what_restores_a_unit_is_not_called_wrong() {
     let notes = |set: &str| {
-        format!("{set} The energy is\n\n$$ E = \\gamma m, \\qquad p = \\gamma m v $$\n\nThen\n\n$$ \\frac{{pc}}{{E}} = \\frac vc $$\n")
+        format!(
+            "{set} The energy is\n\n$$ E = \\gamma m, \\qquad p = \\gamma m v $$\n\nThen\n\n$$ \\frac{{pc}}{{E}} = \\frac vc $$\n"
+        )
     };
     assert_ne!(found("units", &notes("We set $c = 1$ from here on."))[1], "refuted");
     assert_eq!(found("no-units", &notes("We begin."))[1], "refuted");
@@ -81,4 +83,28 @@ fn a_definition_is_not_called_wrong_where_its_consequence_may_be() {
     assert_eq!(found("rate", &fall("a t"))[1], "certified");
     let verdicts = found("rate-slip", &fall(r"\frac12 a t"));
     assert!(verdicts[0] != "refuted" && verdicts[1] != "certified", "{verdicts:?}");
+}
+
+/// A solution of the equation of motion that does not start where the notes say is wrong; one of constants that are still open is not.
+#[test]
+fn a_solution_starts_where_the_notes_say() {
+    let fall = |solution: &str| {
+        format!(
+            "$$ m \\dot v = m g - k v $$\n\nWith $v(0) = 0$,\n\n$$ v = \\frac{{mg}}{{k}}\\left({solution}\\right) $$\n"
+        )
+    };
+    assert_eq!(found("fall", &fall("1 - e^{-k t/m}"))[1], "certified");
+    assert_eq!(found("fall-slip", &fall("1 + e^{-k t/m}"))[1], "refuted");
+    let oscillator = |general: &str, special: &str| {
+        format!(
+            "$$ \\ddot x = -\\omega^2 x $$\n\n{general}with $x(0) = x_0$ and $\\dot x(0) = v_0$:\n\n$$ x = {special} $$\n\n\
+             If instead $x(0) = 0$,\n\n$$ x = \\frac{{v_0}}{{\\omega}}\\sin\\omega t $$\n"
+        )
+    };
+    let general = "The general solution is\n\n$$ x = A\\cos\\omega t + B\\sin\\omega t $$\n\n";
+    let special = r"x_0\cos\omega t + \frac{v_0}{\omega}\sin\omega t";
+    let right = found("oscillator", &oscillator(general, special));
+    assert_eq!(right[1..], ["certified", "certified", "certified"], "{right:?}");
+    let wrong = found("oscillator-slip", &oscillator(general, r"x_0\cos\omega t - \frac{v_0}{\omega}\sin\omega t"));
+    assert_eq!(wrong[2], "refuted", "{wrong:?}");
 }

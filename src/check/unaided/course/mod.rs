@@ -109,7 +109,7 @@ pub(super) fn judged_again(
     for at in scope.carried..checker.notes.equations.len() {
         let equation = match known(at) {
             Some(equation) => course.judged_before(at, equation),
-            None => course.judge(at)?,
+            None => course.judged_with_start(at)?,
         };
         // Another formula for a function begins another case, in which its name has this one.
         if at > scope.carried && equation.finding.verdict == Verdict::Assumed && course.begins_another_case(at) {

@@ -10,6 +10,7 @@ mod ended_cases;
 mod general_laws;
 mod integrals;
 mod natural_units;
+mod starts;
 
 use crate::check::document::inferred::open_energies::is_energy;
 use crate::check::model::meaning::Meaning;
