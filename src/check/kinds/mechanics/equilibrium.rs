@@ -12,7 +12,9 @@ use crate::formula::{Expr, Node, Relation, SymbolId};
 use crate::notes::claims::Equilibrium;
 use crate::source::Span;
 
-use super::expressions::{equal, lagrangian, partial, product, symbol, without_velocity_forces};
+use super::expressions::{
+    NO_LAGRANGIAN, NOT_ELEMENTARY, equal, lagrangian, partial, product, symbol, without_velocity_forces,
+};
 use crate::check::judge::identity;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::sample::context::Context;
@@ -22,10 +24,6 @@ use crate::check::verdict::finding::Finding;
 
 /// The most coordinates for which stability is decided.
 const MOST: usize = 3;
-
-/// Why stability is not decided where the second derivatives of the Lagrangian are not known as formulas.
-const NOT_ELEMENTARY: &str = "the second derivatives of the Lagrangian cannot be written as formulas; write it with \
-                              sums, products, powers and elementary functions";
 
 /// The hypotheses that the system of a printed Lagrangian stays at rest where coordinates have these values, and the others are 0: no force
 /// acts there. `None` where this is not known as formulas, and with forces, constraints or the time in L.
@@ -141,7 +139,7 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
     if coordinates.len() > MOST {
         return open("this is supported for at most three coordinates");
     }
-    let Some(lagrangian) = lagrangian(context) else { return open("the notes print no Lagrangian") };
+    let Some(lagrangian) = lagrangian(context) else { return open(NO_LAGRANGIAN) };
     if context.model.contains_time(&lagrangian) {
         return open("the Lagrangian depends on the time");
     }

@@ -46,7 +46,7 @@ pub(crate) fn check(ours: &Expr, other: &Expr, context: &Context<'_>) -> Result<
     let opened = |side: &Expr| written_out(side, context);
     if opened(ours) == opened(other) {
         let message =
-            format!("this is the same formula as {shown}, so nothing is checked; print another Lagrangian here");
+            format!("this is the same formula as {shown}, so nothing is checked; write another Lagrangian here");
         return Ok(context.finding(Code::SameFormula, Verdict::Undecided, message));
     }
     let off_shell = Context { on_shell: Some(false), ..*context }.quick();
