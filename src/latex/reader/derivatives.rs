@@ -18,7 +18,9 @@ impl Reader<'_> {
         while matches!(items.get(*cursor).map(|item| &item.layout), Some(Layout::Space(Space::Thin))) {
             *cursor += 1;
         }
-        let missing = || Fault::new(operator, "no formula follows this derivative");
+        let missing = || {
+            Fault::new(operator, "no formula follows this derivative").help("write the function that is differentiated")
+        };
         let first = items.get(*cursor).ok_or_else(missing)?;
         if matches!(first.layout, Layout::Fence(..)) {
             *cursor += 1;
@@ -27,7 +29,8 @@ impl Reader<'_> {
         let rest = &items[*cursor..];
         let significant = || rest.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
         if significant().filter(|item| is_operator(item)).count() > 5 {
-            return Err(Fault::unsupported(operator, "derivatives above the fifth order are not supported"));
+            return Err(Fault::unsupported(operator, "derivatives above the fifth order are not supported")
+                .help("give a derivative of lower order a name, and differentiate the name"));
         }
         let one = significant().count() == 1 || self.is_a_function_with_its_arguments(significant());
         if !one && !is_big_sum(first) && !is_integral(first) && !self.reaches_to_the_end(significant()) {
@@ -118,11 +121,13 @@ impl Reader<'_> {
                 .help("write \\mathrm{d} for the derivative"));
         }
         if below != Some(order) {
-            return Err(Fault::new(span, "the numerator and the denominator of this derivative have different orders"));
+            return Err(Fault::new(span, "the numerator and the denominator of this derivative have different orders")
+                .help("write the same order above and below, as in \\frac{d^2x}{dt^2}"));
         }
         match u8::try_from(order) {
             Ok(order @ 1..=5) => Ok(Some((order, &upper[1..]))),
-            _ => Err(Fault::unsupported(span, "derivatives above the fifth order are not supported")),
+            _ => Err(Fault::unsupported(span, "derivatives above the fifth order are not supported")
+                .help("give a derivative of lower order a name, and differentiate the name")),
         }
     }
 

@@ -131,6 +131,7 @@ impl Reader<'_> {
                 item => {
                     let span = item.map_or(head, |item| item.span);
                     Fault::new(span, format!("the argument of \\{} is missing", function.name()))
+                        .help(format!("write the argument, as in \\{} x", function.name()))
                 }
             });
         }

@@ -72,10 +72,12 @@ impl Reader<'_> {
         let by = self.variables(lower, mark, span)?;
         let of_all: u32 = by.iter().map(|(_, times)| *times).sum();
         if of_all != order {
-            return Err(Fault::new(span, "the numerator and the denominator of this derivative have different orders"));
+            return Err(Fault::new(span, "the numerator and the denominator of this derivative have different orders")
+                .help("write the same order above and below, as in \\frac{\\partial^2 f}{\\partial x^2}"));
         }
         if order > 4 {
-            return Err(Fault::unsupported(span, "partial derivatives above the fourth order are not supported"));
+            return Err(Fault::unsupported(span, "partial derivatives above the fourth order are not supported")
+                .help("give a derivative of lower order a name, and differentiate the name"));
         }
         let by = by.into_iter().flat_map(|((item, by), times)| vec![(item, by); times as usize]).collect();
         Ok(Some(Operator { mark, operand: &upper[1..], by, span }))
@@ -92,13 +94,18 @@ impl Reader<'_> {
         let mut items = lower.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
         while let Some(first) = items.next() {
             let variable = items.next().filter(|_| mark(first) == Some((wanted, 1)));
-            let variable = variable.ok_or_else(|| Fault::new(whole, "∂ or d must stand before each variable below"))?;
+            let variable = variable.ok_or_else(|| {
+                Fault::new(whole, "∂ or d must stand before each variable in the denominator of a derivative")
+                    .help("write, for example, \\frac{\\partial^2 f}{\\partial x\\,\\partial y}")
+            })?;
             let by = self.variable(variable)?;
             let power = names::printed(variable, self.branch).and_then(|printed| printed.sup);
             let times = match power {
                 None => 1,
-                Some(power) => whole_number(power)
-                    .ok_or_else(|| Fault::new(power.span, "the order of a derivative must be a whole number"))?,
+                Some(power) => whole_number(power).ok_or_else(|| {
+                    Fault::new(power.span, "the order of a derivative must be a whole number")
+                        .help("write the order as a number, as in \\partial x^2")
+                })?,
             };
             found.push(((variable, by), times));
         }
@@ -108,7 +115,8 @@ impl Reader<'_> {
     /// The symbol by which a derivative is taken, with its dots.
     fn variable(&mut self, item: &Item) -> Read<Variable> {
         let Some(printed) = names::printed(item, self.branch) else {
-            return Err(Fault::unsupported(item.span, "a derivative must be by a symbol, or by the rate of one"));
+            return Err(Fault::unsupported(item.span, "a derivative must be by a symbol, or by a symbol with a dot")
+                .help("give the formula by which you differentiate a name of its own"));
         };
         if let Some((id, indices)) = self.symbols.find_or_assemble(&printed.name) {
             let entry = self.symbols.entry(id);

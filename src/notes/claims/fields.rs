@@ -162,7 +162,8 @@ pub(super) fn texts(json: &Json, name: &str) -> Result<Vec<Text>, Fault> {
     match &json.value {
         Value::String(_) => Ok(vec![text(json, name)?]),
         Value::Array(items) if !items.is_empty() => items.iter().map(|item| text(item, name)).collect(),
-        Value::Array(_) => Err(Fault::claims(json.span, format!("\"{name}\" is an empty list"))),
+        Value::Array(_) => Err(Fault::claims(json.span, format!("\"{name}\" is an empty list"))
+            .help("put a text in the list, or remove the key")),
         _ => Err(wrong(json, name, "a string or a list of strings")),
     }
 }

@@ -109,7 +109,8 @@ impl Reader<'_> {
                 .is_some_and(|found| ["\\mathcal{D}", "\\mathscr{D}"].contains(&found.name.base.as_str()))
         };
         if touches && self.symbols.inferred.differentials && is_measure(before) && self.is_name(item) {
-            return Err(Fault::unsupported(span, "an integral over paths is not supported"));
+            return Err(Fault::unsupported(span, "an integral over paths is not supported")
+                .help("write its result in a display without the integral"));
         }
         if touches && is_operation(before) && self.is_lone_letter(item) {
             return Err(Fault::ambiguous(
