@@ -18,7 +18,7 @@ pub(crate) fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
         return Some(context.finding(
             Code::SameFormula,
             Verdict::Undecided,
-            "both sides are the same formula, so nothing is checked; print the step that is claimed",
+            "both sides are the same formula, so nothing is checked; write the step that is claimed",
         ));
     }
     let opened = |expr: &Expr| match expr.as_plain_symbol().and_then(|id| context.model.meaning(id)) {

@@ -56,7 +56,7 @@ impl Builder<'_> {
         let range = Range::Integer { low: 3, high: Count::Number(MOST_THINGS.into()) };
         self.model.constants.push(Variable::number(id, range));
         self.model.inferred.push(format!(
-            "{} is the number of members of a family; the sampled states have 3 or {MOST_THINGS}",
+            "{} is the number of members of a family; the sampled states have 3 or {MOST_THINGS} members",
             self.shown(id)
         ));
         Ok(id)

@@ -467,7 +467,11 @@ impl Course<'_, '_> {
         Ok(found.map(|mut found| {
             found.finding.message = match found.finding.message.as_str() {
                 "" => format!("follows from {}", named(set)),
-                message => format!("{message}; it follows from {}", named(set)),
+                // The hypotheses are these displays.
+                message => match message.strip_prefix("holds under its hypotheses") {
+                    Some(rest) => format!("follows from {}{rest}", named(set)),
+                    None => format!("{message}; it follows from {}", named(set)),
+                },
             };
             found
         }))
