@@ -328,9 +328,10 @@ fn function(checker: &Checker<'_>, of: &Spanned<String>) -> Result<Expr> {
     match checker.display(&of.value).map(|reading| reading.statements.first()) {
         Some(Some(Ok(statement))) => {
             let last = statement.members.last().cloned();
-            last.ok_or_else(|| Error::at(&checker.claims.source, of.span, "this equation is empty"))
+            last.ok_or_else(|| Error::at(&checker.claims.source, of.span, format!("({}) is empty", of.value)))
         }
         Some(_) => Err(Error::at(&checker.claims.source, of.span, format!("({}) cannot be read", of.value))
+            .help("correct this equation first")
             .lacking(Some(Missing::Equation(of.value.clone())))),
         None => checker.formula(of),
     }

@@ -84,7 +84,7 @@ pub(crate) fn check(claimed: Equilibrium, context: &Context<'_>) -> Result<Findi
         // The equation of rest is printed nowhere, so a mutant of it says nothing of what is printed.
         let found = match found.code == Code::MutantPasses {
             true => {
-                let holds = context.verified("", "hypotheses that give the place");
+                let holds = context.verified("", "a place that hypotheses give");
                 Finding { points: found.points, tried: found.tried, ..holds }
             }
             false => found,

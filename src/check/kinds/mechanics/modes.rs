@@ -58,7 +58,7 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
     }
     // In a case of two coordinates the determinant may vanish where the case holds, and nowhere else.
     if found.code == Code::RestatesHypothesis {
-        let holds = context.verified("", "a determinant that is 0 in this case only");
+        let holds = context.verified("", "that a determinant is 0 in this case only");
         found = Finding { points: found.points, tried: found.tried, ..holds };
     }
     match found.verdict {

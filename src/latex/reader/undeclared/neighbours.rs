@@ -40,7 +40,7 @@ impl Reader<'_> {
         }
         if is_word_with_power(item) {
             return Err(Fault::ambiguous(item.span, "this power may be that of the word or of its last letter")
-                .help("write letters as letters, m v^2, and the power of a word as (\\text{…})^2"));
+                .help("write a product of letters without \\text, m v^2, and the power of a word as (\\text{…})^2"));
         }
         if matches!(&item.layout, Layout::Command(name) if ARROWS.contains(&name.as_str())) {
             return Err(Fault::unsupported(
