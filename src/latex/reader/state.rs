@@ -212,7 +212,9 @@ pub(super) fn unread(item: &Item, has_claims: bool) -> Fault {
         }
         Layout::Text(word) => {
             let message = format!("“{word}” is no unit, and words inside of a formula are not supported here");
-            Fault::unsupported(span, message).help("write words outside of the formula")
+            Fault::unsupported(span, message).help(
+                "write words outside of the formula, and a quantity as a letter with a subscript, such as E_{kin}",
+            )
         }
         Layout::Space(_) => Fault::unsupported(span, "a superscript or subscript cannot stand after a space")
             .help("remove the space, as in 25^\\circ"),

@@ -8,7 +8,7 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Node, Relation, SymbolId};
+use crate::formula::{Expr, Node, Relation, SymbolId, text};
 use crate::notes::claims::Equilibrium;
 use crate::source::Span;
 
@@ -91,12 +91,16 @@ pub(crate) fn check(claimed: Equilibrium, context: &Context<'_>) -> Result<Findi
         };
         if !found.verdict.holds() {
             let moves = found.verdict == Verdict::Refuted;
-            let message = match (moves, claimed) {
-                (true, Equilibrium::Steady) => "the system does not stay on this steady motion: an acceleration that \
-                                                should be 0 is not 0"
-                    .to_owned(),
-                (true, _) => "the system does not stay at rest here: an acceleration is not 0".to_owned(),
-                (false, _) => found.message.clone(),
+            let stays = match claimed {
+                Equilibrium::Steady => "stay on this steady motion",
+                _ => "stay at rest here",
+            };
+            let message = match moves {
+                true => {
+                    let name = text::plain(&context.model.name(*q));
+                    format!("the system does not {stays}: the acceleration of {name} is not 0")
+                }
+                false => found.message.clone(),
             };
             return Ok(Finding { message, ..found });
         }

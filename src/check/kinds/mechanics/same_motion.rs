@@ -68,7 +68,10 @@ pub(crate) fn check(ours: &Expr, other: &Expr, context: &Context<'_>) -> Result<
             ..found
         });
     }
-    let message = format!("this does not give the same motion as {shown}");
+    let message = format!(
+        "this does not give the same motion as {shown}; below, the sides are d/dt ∂L/∂q̇ − ∂L/∂q of this formula and \
+         of {shown}"
+    );
     let refuted = Finding { message, code: Code::SidesDiffer, ..found };
     // The equations of one may be combinations of those of the other. So ours are tested along the motions of the other one.
     let is_system =

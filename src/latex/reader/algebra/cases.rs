@@ -113,9 +113,9 @@ impl Reader<'_> {
             if relations.is_empty() {
                 let span = part.iter().map(|item| item.span).reduce(Span::to).unwrap_or(place);
                 let message = if said {
-                    "this condition has no =, < or other relation"
+                    "this condition has no relation that is supported, such as = or <"
                 } else {
-                    "a condition should stand here, but this has no =, < or other relation"
+                    "a condition should stand here, but this has no relation that is supported, such as = or <"
                 };
                 return Err(Fault::unsupported(span, message).help("write a comparison, such as x > 0"));
             }
