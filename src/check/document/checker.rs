@@ -208,7 +208,7 @@ impl Checker<'_> {
                         "{} is not a family of symbols, and \\cup joins families only",
                         name.value
                     ))
-                    .help("give it a label as index: \"indices\": { \"i\": \"1..n\" }, m_i"));
+                    .help("give each family an index and write its members with it, as in \"indices\": { \"i\": \"1..n\" }, m_i"));
                 }
                 let part = |part: &&str| self.formula(&Spanned::new((*part).to_owned(), meaning.span));
                 Action::Union(parts.iter().map(part).collect::<Result<_>>()?)
