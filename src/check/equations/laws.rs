@@ -46,8 +46,10 @@ impl Checker<'_> {
                 return Ok(None);
             }
             if finding.verdict.passes() {
-                let message =
-                    format!("this is not a law, because it can be checked: {}; remove it from `laws`", finding.message);
+                let message = format!(
+                    "this is not a law, because it can be checked ({}); remove it from `laws`",
+                    finding.message
+                );
                 return Ok(Some(context.finding(Code::NotALaw, Verdict::Undecided, message)));
             }
             if self.model.system.is_some() {

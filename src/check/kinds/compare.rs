@@ -56,8 +56,7 @@ pub fn equal(a: &str, b: &str, ranges: &[(Name, Range)], options: Options) -> Re
     for (name, _) in ranges {
         let occurs = model.symbols.find(name).is_some_and(|(id, _)| [&lhs, &rhs].iter().any(|side| has(side, id)));
         if !occurs {
-            let fault = Fault::new(Span::default(), format!("{name} occurs in neither formula"))
-                .help("give a range only to a letter of the two formulas");
+            let fault = Fault::new(Span::default(), format!("{name} occurs in neither formula"));
             return Err((2, fault.code(Code::Input)));
         }
     }

@@ -117,12 +117,9 @@ impl Builder<'_> {
             range => range,
         };
         if kind != Kind::Scalar && declaration.role == Role::Coordinate {
-            return Err(self.error(latex, "a coordinate must be a real number"));
-        }
-        if vector && declaration.role == Role::Coordinate {
             return Err(self
-                .error(latex, "a coordinate must be a scalar")
-                .help("declare a vector under \"varies with time\" or \"constants\""));
+                .error(latex, "a coordinate must be a real number")
+                .help("declare a vector, a matrix or a complex number under \"varies with time\" or \"constants\""));
         }
         if let Range::Rigid { .. } | Range::FixedDirection = range {
             return self.moving_with_a_frame(declaration, kind);

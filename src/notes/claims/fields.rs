@@ -222,7 +222,8 @@ pub(super) fn names(list: &Text, source: &Source) -> Result<Vec<Text>, Fault> {
     for end in ends {
         let name = piece(list, start..end, source);
         if name.value.is_empty() {
-            return Err(Fault::claims(list.span, format!("a name is missing in \"{text}\"")).help("as in \"M, g, R\""));
+            return Err(Fault::claims(list.span, format!("a name is missing in \"{text}\""))
+                .help("write names between commas, as in \"M, g, R\""));
         }
         names.push(name);
         start = end + 1;

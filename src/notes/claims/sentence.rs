@@ -194,12 +194,12 @@ fn of(fields: &Fields<'_>, key: &Text, of: Text, source: &Source) -> Result<Test
 fn tends_to(fields: &Fields<'_>, json: &Json) -> Result<Vec<(Text, Text)>, Fault> {
     let limits = fields.pairs("tends to")?;
     if limits.is_empty() {
-        return Err(Fault::claims(json.span, "\"tends to\" is empty").help("as in { \"x \\\\to 0\": \"1\" }"));
+        return Err(Fault::claims(json.span, "\"tends to\" is empty")
+            .help("write a limit and its value, as in { \"x \\\\to 0\": \"1\" }"));
     }
     match limits.iter().find(|(limit, _)| !claim::is_limit(&limit.value)) {
-        Some((limit, _)) => {
-            Err(Fault::claims(limit.span, format!("\"{}\" is not a limit", limit.value)).help("as in \"x \\\\to 0\""))
-        }
+        Some((limit, _)) => Err(Fault::claims(limit.span, format!("\"{}\" is not a limit", limit.value))
+            .help("write a limit as in \"x \\\\to 0\"")),
         None => Ok(limits),
     }
 }

@@ -76,9 +76,8 @@ impl Reader<'_> {
         let Some(Item { layout: Layout::Fence(Delimiter::Round | Delimiter::Square, inside), span: fence }) =
             items.get(*cursor + 1)
         else {
-            return Err(
-                Fault::new(head, "diag needs its entries in parentheses").help("write, for example, diag(a, b, c)")
-            );
+            return Err(Fault::new(head, "diag needs its entries in parentheses")
+                .help("write, for example, \\operatorname{diag}(a, b, c)"));
         };
         *cursor += 2;
         let span = head.to(*fence);
