@@ -61,7 +61,7 @@ impl Checker<'_> {
         if let Some(finding) = self.too_strong(&links, context)? {
             return Ok(Some(finding));
         }
-        Ok(Some(context.finding(Code::Law, Verdict::Law, format!("taken for granted, not checked: {}", law.title()))))
+        Ok(Some(context.finding(Code::Law, Verdict::Law, law.granted())))
     }
 
     /// The finding that no sampled state satisfies all laws, or that they allow only one value of a varying quantity.
