@@ -270,7 +270,8 @@ impl Formula {
         let missing: Vec<String> = self.letters().into_iter().filter(|letter| !is_set(letter)).collect();
         if !missing.is_empty() {
             let settings: Vec<String> = missing.iter().map(|name| format!("--set '{name}=…'")).collect();
-            return Err(Error::new(format!("there is no value for {}", missing.join(", "))).help(settings.join(" ")));
+            return Err(Error::new(format!("there is no value for {}", missing.join(", ")))
+                .help(format!("add {}", settings.join(" "))));
         }
         let value = evaluate(&formula, &state, &[]).map_err(|reason| match reason {
             Unavailable::Derivative(_) => Error::new("the formula needs the value of a time derivative")
@@ -279,6 +280,7 @@ impl Formula {
                 .help("evaluate a part of the formula that does not contain this"),
             Unavailable::Symbol(id) => {
                 Error::new(format!("{} has no value", text::plain(&self.symbols.entry(id).name.to_string())))
+                    .help("evaluate a part of the formula that does not contain this")
             }
         })?;
         Ok(match value {

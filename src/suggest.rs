@@ -55,9 +55,16 @@ pub fn declaration(name: &str, dots: u8) -> String {
              number, {add}",
             in_json(name)
         ),
+        _ if OPERATORS.iter().any(|word| name == format!("\\mathrm{{{word}}}")) => format!(
+            "the operator {name} is not supported; leave the equation out with \"skip\" in the claims file, or, if \
+             {name} is a quantity, {add}"
+        ),
         _ => add,
     }
 }
+
+/// Operators with a name of several letters.
+const OPERATORS: [&str; 4] = ["div", "grad", "rot", "curl"];
 
 /// The advice where a name is that of no system: those there are, and how to add one.
 #[cfg(feature = "notes")]

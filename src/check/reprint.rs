@@ -48,7 +48,7 @@ pub fn check_reprint(run: &Run<'_>, sets: &[(Claims, Notes)], print: &Notes) -> 
         let names: Vec<&str> = sets.iter().map(|(_, reference)| reference.source.path.as_str()).collect();
         let message = format!("{} and {} have no equation number in common", print.source.path, names.join(" or "));
         return Err(Error::new(message)
-            .help("claims about another print are found by the numbers of its equations; check the numbers"));
+            .help("the claims of other notes are found by the numbers of the equations; check the numbers"));
     }
     let mut equations: Vec<Equation> = Vec::new();
     for equation in found.into_iter().flatten() {
@@ -184,7 +184,7 @@ fn equation(checker: &Checker<'_>, macros: &Macros, at: usize, display: &Display
             }
             Err(_) => {
                 ok = reads_alike(&reading, &original());
-                if ok { String::new() } else { "; but this print has another text here".to_owned() }
+                if ok { String::new() } else { "; but these notes have another text here".to_owned() }
             }
         };
         because = Some(format!("a known erratum: {}{verdict}", edits.join(", ")));
@@ -204,7 +204,7 @@ fn judged(
     checker.parts((at, display.body.start), reading, claim, topic).or_else(|error| {
         checker.parts((at, display.body.start), &checker.readings[at], claim, topic)?;
         let message = format!(
-            "the claim for ({topic}) of {} does not fit this print: {}",
+            "the claim for ({topic}) of {} does not fit these notes: {}",
             checker.notes.source.path,
             error.message()
         );
@@ -226,7 +226,7 @@ fn absent(reference: &Notes, print: &Notes, at: usize) -> Equation {
         None => (String::new(), Span::default()),
     };
     let number = reference.equations[at].id().unwrap_or_default();
-    let message = format!("this print has no display ({number}){side}; {} has one", reference.source.path);
+    let message = format!("these notes have no display ({number}){side}; {} has one", reference.source.path);
     let line = print.source.line_column(span.start).0;
     unjudged(print, number, line, Finding::new(Code::LostInPrint, Verdict::Unreadable, span, message))
 }

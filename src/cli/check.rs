@@ -32,7 +32,7 @@ pub struct Arguments {
     paths: Vec<PathBuf>,
     /// The claims file for the notes, if it is not beside them; may be repeated, or be a folder of claims files
     ///
-    /// If the claims are about another file, the notes are checked as a second edition of that file, number by number.
+    /// If the claims are about another file, the notes are checked as a second copy of that file, number by number.
     #[arg(long, value_name = "FILE")]
     claims: Vec<PathBuf>,
     /// Check only the equation with this number or label
@@ -56,7 +56,7 @@ pub struct Arguments {
     /// Make the likely edits among the suggested ones, after asking for each, and check again
     #[arg(long)]
     fix: bool,
-    /// Make them without asking
+    /// Make the edits of --fix without asking
     #[arg(long, requires = "fix")]
     yes: bool,
 }

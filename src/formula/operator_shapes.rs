@@ -28,13 +28,15 @@ impl Binder<'_> {
                 return Err(Fault::new(
                     span,
                     format!("{0} is a rotation, and needs its angle in parentheses, as in {0}(\\theta)", entry.name),
-                ));
+                )
+                .help("write the angle after the name"));
             }
             _ => {
                 return Err(Fault::index(
                     span,
                     format!("{} has fewer or more indices here than where it is declared or defined", entry.name),
-                ));
+                )
+                .help("write the same number of indices in both places"));
             }
         };
         Ok(shape)
@@ -161,7 +163,8 @@ impl Binder<'_> {
             true => Err(Fault::unsupported(
                 span,
                 format!("\\{} of a complex number has several values, and is not supported", function.name()),
-            )),
+            )
+            .help("write an equation for the real part and one for the imaginary part")),
             false => Ok(found),
         }
     }
@@ -191,7 +194,8 @@ impl Binder<'_> {
         for (side, found) in [(&*a, &left), (&*b, &right)] {
             if found.shape != Shape::Vector {
                 let message = format!("this must be a vector, but it is {}", found.shape.noun());
-                return Err(Fault::shape(side.span, message));
+                return Err(Fault::shape(side.span, message)
+                    .help("mark each vector with \\vec or \\mathbf, or remove the sign of the product"));
             }
         }
         Ok(left.free.into_iter().chain(right.free).collect())
@@ -259,14 +263,16 @@ impl Binder<'_> {
                 match found.shape {
                     Shape::Vector => Ok(Type { shape: Shape::Matrix(1, 3), free: found.free }),
                     Shape::Matrix(rows, columns) => Ok(Type { shape: of_size(columns, rows), free: found.free }),
-                    other => Err(Fault::shape(span, format!("{} has no transpose", other.noun()))),
+                    other => Err(Fault::shape(span, format!("{} has no transpose", other.noun()))
+                        .help("declare the name as a matrix, as in \"M\": \"3x3 matrix\", or remove the transpose")),
                 }
             }
             Node::Inverse(a) => {
                 let found = self.bind(a)?;
                 match found.shape {
                     Shape::Matrix(rows, columns) if rows == columns => Ok(found),
-                    other => Err(Fault::shape(span, format!("{} has no inverse matrix", other.noun()))),
+                    other => Err(Fault::shape(span, format!("{} has no inverse matrix", other.noun()))
+                        .help("only a square matrix has one; declare the matrix, or write it out")),
                 }
             }
             Node::OfMatrix(function, a) => {
@@ -286,7 +292,8 @@ impl Binder<'_> {
                     (Shape::Matrix(n, m), Shape::Matrix(k, l)) if n == m && k == l && (n == k || n * k == 0) => {
                         Ok(Type { shape: Shape::Matrix(n.max(k), n.max(k)), free: union(&left.free, &right.free) })
                     }
-                    _ => Err(Fault::shape(span, "a commutator needs two square matrices of the same size")),
+                    _ => Err(Fault::shape(span, "a commutator needs two square matrices of the same size")
+                        .help("declare both as matrices, as in \"A\": \"3x3 matrix\", or write them out")),
                 }
             }
             Node::Complex(part, a) => {
@@ -329,12 +336,15 @@ impl Binder<'_> {
                             branch.value.span,
                             "the cases must be all numbers, all vectors, or all matrices of the same size",
                         )
+                        .help("write formulas of one kind in all rows")
                     })?;
                     Type { shape, free: union(&known.free, &found.free) }
                 }
             });
         }
-        all.ok_or_else(|| Fault::new(span, "this definition by cases has no rows"))
+        all.ok_or_else(|| {
+            Fault::new(span, "this definition by cases has no rows").help("write a value and a condition in each row")
+        })
     }
 }
 

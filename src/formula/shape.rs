@@ -195,11 +195,14 @@ impl Binder<'_> {
                     Fault { message: format!("{what} must be a real number, but this is complex"), ..fault }
                         .help("write an equation for the real part and one for the imaginary part")
                 }
+                Shape::Vector => fault.help("write a component or the norm of the vector"),
+                Shape::Matrix(..) => fault.help("write one entry of the matrix"),
                 _ => fault,
             });
         }
         if found.free.iter().any(|letter| !self.is_label(*letter)) {
-            return Err(Fault::index(span, format!("{what} cannot have a free index")));
+            return Err(Fault::index(span, format!("{what} cannot have a free index"))
+                .help("sum over the index, or write one component"));
         }
         Ok(found.free)
     }
@@ -271,7 +274,8 @@ impl Binder<'_> {
             Node::Norm(a) => {
                 let found = self.bind(a)?;
                 match found.shape {
-                    Shape::Matrix(..) => Err(Fault::unsupported(span, "the norm of a matrix is not supported")),
+                    Shape::Matrix(..) => Err(Fault::unsupported(span, "the norm of a matrix is not supported")
+                        .help("write the norm as a formula of the entries")),
                     _ => Ok(Type { shape: Shape::Scalar, ..found }),
                 }
             }
@@ -289,7 +293,8 @@ impl Binder<'_> {
                 let indices = [*index];
                 let found = self.bind(a)?;
                 if found.shape != Shape::Vector {
-                    return Err(Fault::shape(span, format!("{} has no components", found.shape.noun())));
+                    return Err(Fault::shape(span, format!("{} has no components", found.shape.noun()))
+                        .help("remove the index, or mark the vector with \\vec or \\mathbf"));
                 }
                 let letters = found.free.into_iter().chain(self.letters(&indices)).collect();
                 let free = self.contract(letters, expr)?;
@@ -299,7 +304,8 @@ impl Binder<'_> {
                 let indices = [*row, *column];
                 let found = self.bind(a)?;
                 if !matches!(found.shape, Shape::Matrix(..)) {
-                    return Err(Fault::shape(span, "only a matrix can have two indices"));
+                    return Err(Fault::shape(span, "only a matrix can have two indices")
+                        .help("declare the name as a matrix, as in \"M\": \"3x3 matrix\""));
                 }
                 let letters = self.letters(&indices);
                 let free = self.contract(letters, expr)?;

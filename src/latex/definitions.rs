@@ -313,7 +313,8 @@ fn one(
         return Err(Fault::index(
             span,
             format!("{name} is not declared, and a name with repeated indices cannot be defined"),
-        ));
+        )
+        .help("write different indices on the name, or declare the name in a claims file"));
     }
     if let Some(extra) = of_source.free.iter().find(|letter| is_label(letter) && !free.contains(letter)) {
         let letter = &symbols.indices[extra.0].letter;
@@ -349,7 +350,8 @@ fn one(
             false => Fault::index(
                 span,
                 format!("{name} is not declared, and its definition has other free indices than {name}"),
-            ),
+            )
+            .help("write the same free indices on both sides"),
         });
     };
     let formula = match of_source.shape {

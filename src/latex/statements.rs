@@ -84,7 +84,8 @@ fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
     let mut pieces = pieces(&items, symbols.is_abstract());
     without_ranges(&mut pieces);
     if pieces.is_empty() {
-        let fault = Fault::new(Span::new(0, text.len()), "this display is empty");
+        let fault =
+            Fault::new(Span::new(0, text.len()), "this display is empty").help("write a formula in it, or remove it");
         reading.statements.push(Err(fault));
     }
     let mut pending = Vec::new();

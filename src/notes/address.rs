@@ -336,9 +336,8 @@ fn point(text: &str, span: Span, place: &dyn Fn(Span) -> Span) -> Result<Point, 
         };
         let count: Option<usize> = count.parse().ok().filter(|&n| n > 0);
         if count.is_none() || slot.is_some() {
-            return Err(
-                invalid(here, format!("`{word}` needs one number, counted from 1")).help("as in `6.72 row 2 part 1`")
-            );
+            return Err(invalid(here, format!("`{word}` needs one number, counted from 1"))
+                .help("write a number after it, as in `6.72 row 2 part 1`"));
         }
         *slot = count;
         rest = front.trim_end();

@@ -87,8 +87,13 @@ pub(super) fn index(
 fn introduction(report: &Report) -> Markup {
     let equations: usize = report.documents.iter().map(|document| document.equations.len()).sum();
     let sentences: usize = report.documents.iter().map(|document| document.sentences.len()).sum();
-    let errata = report.items().filter(|item| item.ok && !item.finding.verdict.passes()).count();
+    let errata = report.items().filter(|item| item.ok && item.finding.verdict == Verdict::Refuted).count();
     let wrong = report.unexpected();
+    // These are rare, and are explained where they occur.
+    let occurs = |verdict: Verdict| {
+        !matches!(verdict, Verdict::Law | Verdict::Assumed | Verdict::Unreadable)
+            || report.items().any(|item| item.finding.verdict == verdict)
+    };
     let plural =
         |count: usize, one: &str| if count == 1 { format!("{count} {one}") } else { format!("{count} {one}s") };
     html! {
@@ -108,15 +113,16 @@ fn introduction(report: &Report) -> Markup {
             p class="visually-hidden" { (plural(equations, "equation")) " and " (plural(sentences, "sentence")) " in " (plural(report.documents.len(), "document")) "." }
             dl class="legend" {
                 @for (verdict, ok, meaning) in [
-                    (Verdict::Certified, true, "confirmed by exact arithmetic; the tiny probability of an error is \
-                                                given"),
+                    (Verdict::Certified, true, "holds, and exact arithmetic confirms it; the probability of an error is given"),
                     (Verdict::Verified, true, "holds at every sampled state"),
                     (Verdict::Definition, true, "defines a name, and other equations test it"),
-                    (Verdict::Refuted, false, "fails at a sampled state, which is shown, with a correction where one \
-                                               was found"),
-                    (Verdict::Refuted, true, "a known mistake of the notes: it is refuted, and the correction is given"),
+                    (Verdict::Law, true, "a law that the claims file names; it is taken for granted and not checked"),
+                    (Verdict::Assumed, true, "does not follow from the other displays, and was not checked"),
+                    (Verdict::Refuted, false, "wrong: it fails at a sampled state, which is shown; a correction is shown where one was found"),
+                    (Verdict::Refuted, true, "a known mistake: it is wrong, as the claims file expects"),
                     (Verdict::Undecided, false, "not decided; the reason is given"),
-                ] {
+                    (Verdict::Unreadable, false, "not read, or not supported; the reason is given"),
+                ].into_iter().filter(|(verdict, ..)| occurs(*verdict)) {
                     div { dt { (badge(verdict, ok)) } dd { (meaning) } }
                 }
             }

@@ -229,8 +229,13 @@ fn badge(verdict: Verdict, ok: bool) -> Markup {
         _ => "?",
     };
     let class = format!("badge {}", tone(verdict, ok));
-    // What the claims file expects to be refuted is a mistake of the notes that is known.
-    let word = if ok && verdict == Verdict::Refuted { "erratum" } else { verdict.word() };
+    let word = match (verdict, ok) {
+        // What the claims file expects to be refuted is a mistake of the notes that is known.
+        (Verdict::Refuted, true) => "erratum",
+        // As the summary in the terminal says.
+        (Verdict::Assumed, _) => "taken for granted",
+        _ => verdict.word(),
+    };
     html! { span class=(class) { span aria-hidden="true" { (mark) " " } (word) } }
 }
 

@@ -129,7 +129,7 @@ pub fn compared(counterexample: &Counterexample) -> Option<String> {
     let entry = counterexample.entry.as_ref().map(|entry| format!(" ({entry})")).unwrap_or_default();
     match counterexample.compared {
         Compared::Sides => Some(format!("{}{entry}", sides(*lhs, *rhs))),
-        Compared::Counts(what) => Some(format!("found: {lhs} {what}; claimed: {rhs}")),
+        Compared::Counts(what) => Some(format!("{what}: {lhs} found, {rhs} claimed")),
         Compared::AtAPlace => Some(format!("found {}, compared with {}", number(*lhs, 7), number(*rhs, 7))),
         Compared::Nothing => None,
     }

@@ -280,7 +280,8 @@ fn details(document: &Document, item: &Equation, style: Style) -> String {
     };
     if let Some(numbers) = document.automatic_numbers.get(&item.id) {
         let numbers: Vec<String> = numbers.iter().map(|number| format!("({number})")).collect();
-        tell(0, &format!("the number in the typeset document: {}", numbers.join(", ")));
+        let what = if numbers.len() == 1 { "number" } else { "numbers" };
+        tell(0, &format!("the {what} in the typeset document: {}", numbers.join(", ")));
     }
     if item.parts.is_empty() {
         // What could not be read has no reading.

@@ -127,7 +127,7 @@ fn a_definition_that_nothing_stands_on_is_no_pass() {
     // In its square the sign of s goes unnoticed, and the verdict says so; a factor in s² = s·s is not noticed at all.
     let notes = numbered(&["s = a + b", "s^2 = a^2 + 2ab + b^2"]);
     let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
-    assert!(found.equations[0].finding.message.contains("except for its sign"), "{:?}", found.equations[0]);
+    assert!(found.equations[0].finding.message.contains("except a wrong sign"), "{:?}", found.equations[0]);
     let notes = numbered(&["s = a + b", "s s = s^2"]);
     let found = document(&numbers(), &notes, &Default::default(), None).unwrap();
     assert_eq!(found.equations[0].finding.verdict, Undecided);
@@ -293,7 +293,7 @@ fn what_is_constant_holds_what_it_is_made_of() {
     };
     let found = of(r"U = \frac12 k x^2");
     assert!(found.iter().all(|equation| equation.ok), "{found:?}");
-    assert!(found[0].finding.message.contains("tested by (2)"), "{:?}", found[0]);
+    assert!(found[0].finding.message.contains("would contradict (2)"), "{:?}", found[0]);
     // The twins: a slip; and a term that no rate notices.
     assert!(!of(r"U = k x^2")[1].ok);
     let free = of(r"U = \frac12 k x^2 - \frac12 k m^2");
@@ -330,7 +330,7 @@ fn what_one_part_of_a_display_leaves_open_is_said_of_the_display() {
     assert!(open.contains("(3 parts)") && open.contains(says), "{open}");
     // The twin: alone it says so itself.
     let alone = line(r"s = a + b , \quad p = ab");
-    assert!(alone.contains("except for its sign") && !alone.contains(says), "{alone}");
+    assert!(alone.contains("except a wrong sign") && !alone.contains(says), "{alone}");
 }
 
 #[test]

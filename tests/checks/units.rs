@@ -83,7 +83,10 @@ fn a_law_whose_units_are_off_is_named_as_such_wherever_it_is_given() {
             .collect::<Vec<_>>()
     };
     let off = report(json!({ "units": "off" }));
-    assert_eq!(off[0], (Law, "taken for granted, not checked: the force, whose units are not checked".to_owned()));
+    assert_eq!(
+        off[0],
+        (Law, "taken for granted, not checked: the law “the force” (its units are not checked)".to_owned())
+    );
     let checked = report(json!({}));
     assert_eq!(checked[0].0, Unreadable, "{checked:?}");
     assert!(checked[0].1.contains("“b·x”"), "{checked:?}");

@@ -208,7 +208,7 @@ impl Checker<'_> {
                         "{} is not a family of symbols, and \\cup joins families only",
                         name.value
                     ))
-                    .help("give it a label as index: \"indices\": { \"i\": \"1..n\" }, m_i"));
+                    .help("give each family an index and write its members with it, as in \"indices\": { \"i\": \"1..n\" }, m_i"));
                 }
                 let part = |part: &&str| self.formula(&Spanned::new((*part).to_owned(), meaning.span));
                 Action::Union(parts.iter().map(part).collect::<Result<_>>()?)
@@ -311,7 +311,8 @@ impl Checker<'_> {
                 &self.claims.source,
                 what.span,
                 format!("({}) names a part that its display does not have", what.value),
-            )),
+            )
+            .help("correct `row`, `part` or `step`; each counts from 1")),
         }
     }
 
@@ -405,8 +406,10 @@ impl Checker<'_> {
 
     /// The equalities of the first statement of an equation, each as a link between two members.
     pub fn targets(&self, address: &Spanned<String>) -> Result<Vec<Link>> {
-        let nowhere =
-            || Error::at(&self.claims.source, address.span, format!("the notes have no equation ({})", address.value));
+        let nowhere = || {
+            Error::at(&self.claims.source, address.span, format!("the notes have no equation ({})", address.value))
+                .help("write the number or the label of an equation, or LaTeX of the notes in backticks")
+        };
         match self.display(&address.value).ok_or_else(nowhere)?.statements.first() {
             Some(Ok(Statement { members, relations, .. })) if members.len() > 1 => {
                 let links = members.windows(2).zip(relations);
@@ -436,6 +439,7 @@ impl Checker<'_> {
             address.span,
             format!("({}) has no relation such as =, and an equation is needed", address.value),
         )
+        .help("name another equation, or write = in this one")
     }
 
     /// `x \to a`.

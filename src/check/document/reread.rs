@@ -54,7 +54,7 @@ pub(crate) fn missing_from_print(checker: &Checker<'_>, reading: &Reading, refer
     }
     let constants = |reading: &Reading| reading.statements.iter().flatten().filter(|s| s.constant.is_some()).count();
     (constants(reading) < constants(reference))
-        .then(|| format!("{source} says that a quantity is constant, and this print does not"))
+        .then(|| format!("{source} says that a quantity is constant, and these notes do not"))
 }
 
 /// Whether two readings have the same statements, apart from their places in the text.

@@ -46,8 +46,10 @@ impl Checker<'_> {
                 return Ok(None);
             }
             if finding.verdict.passes() {
-                let message =
-                    format!("this is not a law, because it can be checked: {}; remove it from `laws`", finding.message);
+                let message = format!(
+                    "this is not a law, because it can be checked ({}); remove it from `laws`",
+                    finding.message
+                );
                 return Ok(Some(context.finding(Code::NotALaw, Verdict::Undecided, message)));
             }
             if self.model.system.is_some() {
@@ -59,7 +61,7 @@ impl Checker<'_> {
         if let Some(finding) = self.too_strong(&links, context)? {
             return Ok(Some(finding));
         }
-        Ok(Some(context.finding(Code::Law, Verdict::Law, format!("taken for granted, not checked: {}", law.title()))))
+        Ok(Some(context.finding(Code::Law, Verdict::Law, law.granted())))
     }
 
     /// The finding that no sampled state satisfies all laws, or that they allow only one value of a varying quantity.

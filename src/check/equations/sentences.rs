@@ -164,7 +164,8 @@ fn test(checker: &Checker<'_>, sentence: &Sentence, context: &Context<'_>) -> Re
             let variable = checker.symbol(unknown)?;
             let shape = Shape::Solutions(count.value);
             let name = text::plain(&checker.model.name(variable));
-            let reading = format!("({}) has {} solutions for {name}", of.text, count.value);
+            let solutions = if count.value == 1 { "solution" } else { "solutions" };
+            let reading = format!("({}) has {} {solutions} for {name}", of.text, count.value);
             Ok((function_shape::check(&target, variable, &shape, context), reading))
         }
     }
@@ -327,9 +328,10 @@ fn function(checker: &Checker<'_>, of: &Spanned<String>) -> Result<Expr> {
     match checker.display(&of.value).map(|reading| reading.statements.first()) {
         Some(Some(Ok(statement))) => {
             let last = statement.members.last().cloned();
-            last.ok_or_else(|| Error::at(&checker.claims.source, of.span, "this equation is empty"))
+            last.ok_or_else(|| Error::at(&checker.claims.source, of.span, format!("({}) is empty", of.value)))
         }
         Some(_) => Err(Error::at(&checker.claims.source, of.span, format!("({}) cannot be read", of.value))
+            .help("correct this equation first")
             .lacking(Some(Missing::Equation(of.value.clone())))),
         None => checker.formula(of),
     }
@@ -346,12 +348,14 @@ fn property_words(property: &Property) -> String {
             Sign::Negative => "negative sign".to_owned(),
             Sign::Changes => "change of sign".to_owned(),
         },
-        Property::Minima(n) => format!("{} minima", n.value),
-        Property::Maxima(n) => format!("{} maxima", n.value),
+        Property::Minima(n) => format!("{} {}", n.value, if n.value == 1 { "minimum" } else { "minima" }),
+        Property::Maxima(n) => format!("{} {}", n.value, if n.value == 1 { "maximum" } else { "maxima" }),
         Property::TendsTo(limits) => {
             let limits: Vec<String> = limits
                 .iter()
-                .map(|(at, value)| format!("{}: {}", text::plain(&at.value), text::plain(&value.value)))
+                .map(|(at, value)| {
+                    format!("{}: {}", text::plain(&at.value.replace("\\to", "→")), text::plain(&value.value))
+                })
                 .collect();
             format!("limits ({})", limits.join(", "))
         }

@@ -100,11 +100,8 @@ impl Checker<'_> {
         let square = if frequency.is_period { of_period(square) } else { square };
         let what = if frequency.is_period { "period" } else { "frequency" };
         let found = steady::check(&square, what, &place, context)?;
-        Ok(Some(found.unwrap_or_else(|| {
-            let message = format!(
-                "the {what} of small oscillations cannot be derived here; this needs a printed Lagrangian without \
-                 forces or constraints, and a place where the system can stay"
-            );
+        Ok(Some(found.unwrap_or_else(|why| {
+            let message = format!("the {what} of small oscillations was not derived, because {why}");
             context.finding(Code::NotSupported, Verdict::Undecided, message)
         })))
     }
@@ -134,7 +131,8 @@ impl Checker<'_> {
         let of_period = of_period(square.clone());
         for (square, what) in [(square, "frequency"), (of_period, "period")] {
             // What cannot be drawn here is none of these.
-            let Ok(mut found) = steady::check(&square, what, &place, &context.quick()) else { continue };
+            let Ok(found) = steady::check(&square, what, &place, &context.quick()) else { continue };
+            let mut found = found.ok();
             if found.is_none() && place.is_empty() {
                 found = modes::check(&square, &[], &context.quick()).ok();
             }

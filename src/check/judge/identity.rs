@@ -174,7 +174,10 @@ fn check_in(link: &Link, context: &Context<'_>, on_shell: bool) -> Result<(Findi
     let states = AtStates::new(link, &ensemble.states);
     let outcome = match tested {
         Ok(outcome) => outcome,
-        Err(reason) => return Ok((context.unavailable(&reason), Next::Settled)),
+        Err(reason) => {
+            let found = context.unavailable_at(&[&link.lhs, &link.rhs], ensemble.states.first(), &reason);
+            return Ok((found, Next::Settled));
+        }
     };
     let mut finding = conclude(&states, context, &ensemble, &outcome);
     if finding.verdict == Verdict::Refuted && is_equality(link.relation) {

@@ -18,7 +18,7 @@ pub(crate) fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
         return Some(context.finding(
             Code::SameFormula,
             Verdict::Undecided,
-            "both sides are the same formula, so nothing is checked; print the step that is claimed",
+            "both sides are the same formula, so nothing is checked; write the step that is claimed",
         ));
     }
     let opened = |expr: &Expr| match expr.as_plain_symbol().and_then(|id| context.model.meaning(id)) {
@@ -59,8 +59,7 @@ pub(crate) fn trivial(link: &Link, context: &Context<'_>) -> Option<Finding> {
             && (c.lhs == link.lhs && c.rhs == link.rhs || c.lhs == link.rhs && c.rhs == link.lhs)
     };
     if let Some(law) = context.model.laws.iter().find(|law| !law.derived && law.hypotheses.iter().any(is_hypothesis)) {
-        return (context.on_shell != Some(false))
-            .then(|| context.finding(Code::Law, Verdict::Law, format!("taken for granted: {}", law.title())));
+        return (context.on_shell != Some(false)).then(|| context.finding(Code::Law, Verdict::Law, law.granted()));
     }
     context.hypotheses.iter().any(is_hypothesis).then(|| {
         context.finding(

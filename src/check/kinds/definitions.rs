@@ -85,7 +85,7 @@ pub fn check(
     let Tested { surviving, names, points, .. } = tested;
     let (code, except) = match except.is_empty() {
         true => (Code::Definition, String::new()),
-        false => (Code::DefinitionUpToSign, format!(" except for {}", except.join(" and "))),
+        false => (Code::DefinitionUpToSign, format!(", except {}", except.join(" and "))),
     };
     match surviving.first() {
         _ if names.is_empty() => {
@@ -113,11 +113,14 @@ pub fn check(
             // Without a claims file a formula that is no quantity of the Lagrangian is a definition too.
             let own = format!("{name} = ");
             let message = match names.iter().all(|other| other.starts_with(&own)) {
-                true => format!("defines {name}; {}", names.join(" or ")),
-                false => format!(
-                    "defines {name}; tested by {}: a wrong formula{except} would fail there",
-                    names.join(" or ")
-                ),
+                true => {
+                    let known: Vec<&str> =
+                        names.iter().map(|other| other.strip_prefix(&own).unwrap_or(other)).collect();
+                    format!("defines {name}, which is {}", known.join(" and "))
+                }
+                false => {
+                    format!("defines {name}; any single mistake in it would contradict {}{except}", names.join(" or "))
+                }
             };
             Ok(Finding { points, tried: points, ..context.finding(code, Verdict::Definition, message) })
         }
@@ -231,12 +234,13 @@ impl<'f> Tested<'f> {
             *mutant != whole
                 && !run(&link, &states.states).is_ok_and(|o| o.failure.is_none() && o.doubtful == 0 && o.points > 0)
         });
-        let mut except: Vec<&'static str> = if self.surviving.len() < signed { vec!["its sign"] } else { Vec::new() };
+        let mut except: Vec<&'static str> =
+            if self.surviving.len() < signed { vec!["a wrong sign"] } else { Vec::new() };
         // So is the size of a normal coordinate: linear equations of motion are the same for its double, and for its rate.
         if !self.names.is_empty() && combines_what_varies(formula, context.model) {
             let sized = self.surviving.len();
             self.surviving.retain(|(mutant, _)| !is_a_multiple(mutant, formula, &states.states));
-            except.extend((self.surviving.len() < sized).then_some("its factor"));
+            except.extend((self.surviving.len() < sized).then_some("a wrong factor"));
             let moved = self.surviving.len();
             self.surviving.retain(|(mutant, _)| *mutant != with_rates(formula, context.model));
             except.extend((self.surviving.len() < moved).then_some("one dot more on its coordinates"));

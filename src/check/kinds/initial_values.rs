@@ -69,7 +69,7 @@ fn by_the_energy_alone(link: &Link, context: &Context<'_>) -> Result<Option<Find
     Ok(match found.verdict {
         verdict if verdict.holds() => {
             let message = "holds for every motion with the energy of this start";
-            let why = "the start itself, because only its energy was used";
+            let why = "a claim about one start, of which only the energy was used";
             Some(Finding { points: found.points, tried: found.tried, ..context.verified(message, why) })
         }
         Verdict::Refuted => {

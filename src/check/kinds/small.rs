@@ -189,7 +189,7 @@ fn scaled(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Res
     let families = families_of(link, small, context, on_shell)?;
     if families.len() < FEWEST.min(context.options.points) {
         let message = format!(
-            "the small quantities can be made smaller at {} sampled states only; remove conditions on them",
+            "the small quantities can be made smaller at only {} sampled states; remove conditions on them",
             families.len()
         );
         return Ok(context.finding(Code::TooFewStates, Verdict::Undecided, message));

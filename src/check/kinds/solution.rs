@@ -68,7 +68,7 @@ pub(crate) fn check(solution: &Solution, others: &[Solution], context: &Context<
     if is_uniform && finding.code == Code::SideAlwaysZero {
         let message = format!("solves the equations of motion for {name}");
         let points = FEWEST.min(context.options.points);
-        let found = context.verified(message, "an acceleration that is 0");
+        let found = context.verified(message, "that an acceleration is 0");
         return Ok(Finding { points, tried: points, ..found });
     }
     match finding.verdict {

@@ -165,7 +165,11 @@ fn judged(
     let number = branches.len();
     let message = match all_of_them {
         true => {
-            format!("{number} of {number} real solutions; all roots found on the grid at {counted} of {points} states")
+            let these = match number {
+                1 => "this is the only real solution".to_owned(),
+                _ => format!("these are all {number} real solutions"),
+            };
+            format!("{these}; at {counted} of {points} states a search on a grid found no other")
         }
         false => "this satisfies the equation".to_owned(),
     };

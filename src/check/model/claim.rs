@@ -62,9 +62,9 @@ pub struct Law {
 }
 
 impl Law {
-    /// The name as a title, with a remark if its units are not checked.
-    pub fn title(&self) -> String {
-        if self.units_off { format!("{}, whose units are not checked", self.name) } else { self.name.clone() }
+    /// The message on the display of the law.
+    pub fn granted(&self) -> String {
+        format!("taken for granted, not checked: {}", self.phrase())
     }
 
     /// The law within a sentence: `Newton's second law`, `Kirchhoff's law`, `the law “torque”`.

@@ -56,7 +56,7 @@ impl Builder<'_> {
         let range = Range::Integer { low: 3, high: Count::Number(MOST_THINGS.into()) };
         self.model.constants.push(Variable::number(id, range));
         self.model.inferred.push(format!(
-            "{} is the number of members of a family; the sampled states have 3 or {MOST_THINGS}",
+            "{} is the number of members of a family; the sampled states have 3 or {MOST_THINGS} members",
             self.shown(id)
         ));
         Ok(id)
@@ -117,12 +117,9 @@ impl Builder<'_> {
             range => range,
         };
         if kind != Kind::Scalar && declaration.role == Role::Coordinate {
-            return Err(self.error(latex, "a coordinate must be a real number"));
-        }
-        if vector && declaration.role == Role::Coordinate {
             return Err(self
-                .error(latex, "a coordinate must be a scalar")
-                .help("declare a vector under \"varies with time\" or \"constants\""));
+                .error(latex, "a coordinate must be a real number")
+                .help("declare a vector, a matrix or a complex number under \"varies with time\" or \"constants\""));
         }
         if let Range::Rigid { .. } | Range::FixedDirection = range {
             return self.moving_with_a_frame(declaration, kind);

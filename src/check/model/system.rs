@@ -262,7 +262,9 @@ impl Builder<'_> {
     }
 
     fn quantity(&self, meaning: &Spanned<String>) -> Result<Quantity> {
-        if self.model.system.is_none() && !self.is_printed() {
+        let nearest = suggest::nearest(&meaning.value, MEANINGS.iter().map(|(word, _)| *word));
+        let is_misspelt = nearest.is_some_and(|near| near != meaning.value);
+        if self.model.system.is_none() && !self.is_printed() && !is_misspelt {
             return Err(self.error(meaning, format!("\"{}\" needs a system, and there is none", meaning.value)).help(
                 "name one under \"system\", or say which name in the notes is the Lagrangian or the Hamiltonian: \"means\": \
                  { \"L\": \"Lagrangian\" }",

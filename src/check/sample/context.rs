@@ -4,7 +4,7 @@ use crate::Result;
 use crate::code::Code;
 use crate::formula::evaluate::Unavailable;
 use crate::formula::{Expr, text};
-use crate::scalar::TERMS;
+use crate::scalar::{RunningError, TERMS};
 use crate::source::Span;
 
 use crate::check::hypotheses::rule::Rule;
@@ -17,6 +17,7 @@ use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::sampler::Sampler;
 use crate::check::sample::setting::Setting;
 use crate::check::sample::unmet_hypotheses;
+use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
@@ -187,6 +188,37 @@ impl<'a> Context<'a> {
     pub fn no_state(&self, ensemble: &Ensemble<'_>) -> Finding {
         let message = format!("no state was found that obeys {}", unmet_hypotheses::explanation(&ensemble.projection));
         Finding { tried: ensemble.tried, ..self.finding(Code::NoState, Verdict::Undecided, message) }
+    }
+
+    /// The finding that a formula has no value at a state, with the smallest part of it that has none.
+    pub fn unavailable_at(
+        &self,
+        formulas: &[&Expr],
+        state: Option<&SampledState<'_, RunningError>>,
+        reason: &Unavailable,
+    ) -> Finding {
+        let found = self.unavailable(reason);
+        let (Some(state), Unavailable::Operation(what), true) = (state, reason, self.options.explain) else {
+            return found;
+        };
+        let mut smallest: Option<&Expr> = None;
+        for formula in formulas {
+            formula.walk(&mut |part| {
+                if state.now(part, &[]).is_err_and(|of_part| of_part == *reason) {
+                    smallest = Some(part);
+                }
+            });
+        }
+        let is_inside = |part: &&Expr| {
+            self.span.start <= part.span.start && part.span.end <= self.span.end && part.span.start < part.span.end
+        };
+        let Some(part) = smallest.filter(is_inside) else { return found };
+        let shown = text::formula(part, &self.model.symbols);
+        let message = format!(
+            "“{shown}” contains {what}, which cannot be evaluated; write it without this, or leave the equation out \
+             with \"skip\" in a claims file"
+        );
+        Finding { span: part.span, message, ..found }
     }
 
     /// The finding that a formula has no value.

@@ -172,7 +172,10 @@ impl<'m> Projection<'m> {
     ) -> Result<SampledState<'m, B>> {
         let state = SampledState::by(solver, terms, self.model, self.mode, (&self.layout, base), &self.rules)?;
         let joined = state.join();
-        joined.map_err(|_| Error::new("families that are joined by \\cup must have the same label"))?;
+        joined.map_err(|_| {
+            Error::new("families that are joined by \\cup must have the same label")
+                .help("declare these families with the same index")
+        })?;
         Ok(state)
     }
 

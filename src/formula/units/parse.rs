@@ -116,7 +116,7 @@ impl<'a> Parser<'a> {
                 }
                 None | Some(')') => return Ok(found),
                 Some('/') if count == 0 => {
-                    return Err(self.fault(start, "no unit stands before the /").help("as in 1/s"));
+                    return Err(self.fault(start, "no unit stands before the /").help("write 1 before it, as in 1/s"));
                 }
                 Some(_) if divided.is_some() => {
                     let from = divided.unwrap_or(start);
@@ -178,7 +178,7 @@ impl<'a> Parser<'a> {
                     invalid(span, format!("{c} is not allowed in a unit")).help("write a unit as in kg m^2/s^2")
                 );
             }
-            None => return Err(self.fault(self.at, "a unit is missing").help("as in 1/s")),
+            None => return Err(self.fault(self.at, "a unit is missing").help("write a unit at this place, as in 1/s")),
         };
         Ok(match self.exponent()? {
             Some(exponent) => found.power(exponent),
@@ -226,7 +226,7 @@ impl<'a> Parser<'a> {
             (Some(above), Some(below)) if below != 0 => Ok(Some(Ratio::new(above, below))),
             _ => Err(self
                 .fault(from, "an exponent must be a whole number up to 100 or a fraction")
-                .help("as in m^2, s^-1, m^(1/2)")),
+                .help("write exponents as in m^2, s^-1, m^(1/2)")),
         }
     }
 }

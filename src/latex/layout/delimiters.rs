@@ -56,7 +56,7 @@ pub(super) fn unopened(token: &Token) -> Fault {
         TokenKind::Close => "}".to_owned(),
         TokenKind::Other(c) => c.to_string(),
         TokenKind::Command(name) => name.clone(),
-        _ => return Fault::new(token.span, "this closes a group that was never opened"),
+        _ => return Fault::new(token.span, "this closes a group that was never opened").help("remove it"),
     };
     let open = match close.as_str() {
         "}" => "{",
@@ -96,7 +96,7 @@ pub(super) fn unclosed(span: Span, open: &str) -> Fault {
         "\\|" => "\\|",
         "\\langle" => "\\rangle",
         "\\left" => "\\right and a bracket, as in \\right),",
-        _ => return Fault::new(span, format!("this {open} is never closed")),
+        _ => return Fault::new(span, format!("this {open} is never closed")).help("add what closes it"),
     };
     Fault::new(span, format!("this {open} is never closed")).help(format!("add {close} where it ends"))
 }
@@ -116,7 +116,7 @@ pub(super) fn without_argument(command: Option<&Token>, span: Span) -> Fault {
         Some(TokenKind::Command(name)) => {
             Fault::new(span, format!("{name} needs an argument")).help(format!("write {name}{{…}}"))
         }
-        _ => Fault::new(span, "an argument is missing here"),
+        _ => Fault::new(span, "an argument is missing here").help("write the argument in braces"),
     }
 }
 

@@ -105,6 +105,9 @@ fn drop_captions(pieces: &mut Vec<Piece<'_>>) {
     pieces.retain(|piece| !is_caption(piece) || !rows.contains(&piece.row));
 }
 
+/// The advice on a value or a name that stands alone.
+const AS_AN_EQUATION: &str = "write an equation for each value and for each name, as in x = 2";
+
 /// Marks statements without a relation beside statements with one: the values of `i = 1, 2, 3`, the x of `x, y > 0`.
 fn reject_lone_values(pieces: &mut [Piece<'_>]) {
     let is_whole = |piece: &Piece<'_>| piece.links.len() > 1 || piece.constant.is_some();
@@ -113,13 +116,15 @@ fn reject_lone_values(pieces: &mut [Piece<'_>]) {
     }
     for piece in pieces.iter_mut().filter(|piece| !is_whole(piece) && piece.fault.is_none()) {
         let items: Vec<Item> = piece.links.iter().flat_map(|link| &link.items).map(|item| (*item).clone()).collect();
-        let what = match items.is_empty() {
-            true => "a part of this display has no = or other relation".to_owned(),
-            false => format!("“{}” stands alone, without = or another relation", typed(&items)),
+        let (what, help) = match items.as_slice() {
+            [] => ("a part of this display has no = or other relation".to_owned(), AS_AN_EQUATION),
+            // A text has lost its spaces.
+            [Item { layout: Layout::Text(_), .. }] => (
+                "words stand alone in this display, without = or another relation".to_owned(),
+                "write the words outside of the display",
+            ),
+            _ => (format!("“{}” stands alone, without = or another relation", typed(&items)), AS_AN_EQUATION),
         };
-        piece.fault = Some(
-            Fault::ambiguous(piece.span(), what)
-                .help("write an equation for each value and for each name, as in x = 2"),
-        );
+        piece.fault = Some(Fault::ambiguous(piece.span(), what).help(help));
     }
 }

@@ -64,13 +64,15 @@ impl Reader<'_> {
             && let Some(order) = overdots::order(command)
         {
             if is_number(inner) {
-                return Err(Fault::new(span, "a dot over a number means nothing"));
+                return Err(Fault::new(span, "a number cannot have a dot, because it does not vary with time")
+                    .help("remove the dot, or put it over a letter"));
             }
             return Ok(Expr::new(Node::TimeDerivative(order, Box::new(self.item(inner)?)), span));
         }
         match &item.layout {
             Layout::Scripts { nucleus, .. } if nucleus.layout == Layout::Group(Vec::new()) => {
-                Err(Fault::new(span, "no symbol stands before this subscript or superscript"))
+                Err(Fault::new(span, "no symbol stands before this subscript or superscript")
+                    .help("write it after its symbol, as in x_1 or x^2"))
             }
             Layout::Fault(fault) => Err(fault.clone()),
             Layout::Unit(units) => self.units(units, span),
@@ -81,7 +83,9 @@ impl Reader<'_> {
                 if digits.parse::<f64>().is_ok_and(f64::is_finite) {
                     Ok(Expr::new(Node::Number(digits.clone()), span))
                 } else {
-                    Err(Fault::new(span, "this number is too large to compute with").code(Code::TooLarge))
+                    Err(Fault::new(span, "this number is too large to compute with")
+                        .code(Code::TooLarge)
+                        .help("choose units in which the number is smaller"))
                 }
             }
             Layout::Group(items) => self.sum(items, span),
@@ -158,7 +162,8 @@ impl Reader<'_> {
             return Err(Fault::unsupported(
                 span,
                 "a differential in a fraction is supported only in a derivative, such as \\frac{dx}{dt}",
-            ));
+            )
+            .help("write each quotient of differentials as one derivative"));
         }
         is_filled(numerator, "the numerator", span)?;
         is_filled(denominator, "the denominator", span)?;
@@ -283,7 +288,8 @@ impl Reader<'_> {
                 Ok(Expr::new(Node::Norm(Box::new(inner)), span))
             }
             Delimiter::Angle | Delimiter::Ket | Delimiter::Bra => {
-                Err(Fault::unsupported(span, "states and mean values in angle brackets are not supported here"))
+                Err(Fault::unsupported(span, "states and mean values in angle brackets are not supported here")
+                    .help("declare a mean value as one name, under \"formulas as names\" in a claims file"))
             }
             Delimiter::RightOpen | Delimiter::LeftOpen => {
                 let is_interval = items.iter().any(|item| matches!(item.layout, Layout::Other(',' | ';')));
@@ -296,10 +302,10 @@ impl Reader<'_> {
                         .help(format!("write {right} in place of {close}")),
                 })
             }
-            Delimiter::Evaluation => Err(Fault::unsupported(
-                span,
-                "the bar needs the place where the formula is taken, as in \\right|_{x=a}",
-            )),
+            Delimiter::Evaluation => {
+                Err(Fault::unsupported(span, "this bar does not say at which place the formula is taken")
+                    .help("write the place at the bar, as in \\right|_{x=a}"))
+            }
         }
     }
 
@@ -317,7 +323,8 @@ impl Reader<'_> {
                 "a partial derivative with a subscript, as in (∂S/∂V)_T, is not supported here",
             )
             .help("leave the equation out with \"skip\" in the claims file"),
-            _ => Fault::unsupported(sub.span, "only a symbol, a vector or a 3×3 matrix can have a subscript"),
+            _ => Fault::unsupported(sub.span, "only a symbol, a vector or a 3×3 matrix can have a subscript")
+                .help("remove the subscript, or give the formula a name of its own"),
         };
         let index = |item: &Item| match &item.layout {
             Layout::Number(digits) => digits.parse().ok().filter(|n| (1..=3).contains(n)).map(Index::Fixed),
@@ -393,7 +400,8 @@ impl Reader<'_> {
                     _ => Ok(Expr::new(Node::Matrix(rows), span)),
                 }
             }
-            _ => Err(Fault::unsupported(span, format!("the environment {name} is not supported here"))),
+            _ => Err(Fault::unsupported(span, format!("the environment {name} is not supported here"))
+                .help("write a display for each formula in it")),
         }
     }
 }

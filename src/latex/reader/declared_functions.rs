@@ -198,5 +198,5 @@ fn is_changed(changes: &[(Variable, Expr)], id: SymbolId) -> bool {
 
 fn unknown_formula(name: &str, span: Span) -> Fault {
     Fault::unsupported(span, format!("{name} with other arguments than in its definition is not supported here"))
-        .help(format!("define {name} by a formula that contains its arguments directly"))
+        .help(format!("define {name} by one formula of its arguments, without other names that depend on them"))
 }

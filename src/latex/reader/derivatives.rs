@@ -18,7 +18,9 @@ impl Reader<'_> {
         while matches!(items.get(*cursor).map(|item| &item.layout), Some(Layout::Space(Space::Thin))) {
             *cursor += 1;
         }
-        let missing = || Fault::new(operator, "no formula follows this derivative");
+        let missing = || {
+            Fault::new(operator, "no formula follows this derivative").help("write the function that is differentiated")
+        };
         let first = items.get(*cursor).ok_or_else(missing)?;
         if matches!(first.layout, Layout::Fence(..)) {
             *cursor += 1;
@@ -27,7 +29,7 @@ impl Reader<'_> {
         let rest = &items[*cursor..];
         let significant = || rest.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
         if significant().filter(|item| is_operator(item)).count() > 5 {
-            return Err(Fault::unsupported(operator, "derivatives above the fifth order are not supported"));
+            return Err(of_too_high_order("derivatives above the fifth order", operator));
         }
         let one = significant().count() == 1 || self.is_a_function_with_its_arguments(significant());
         if !one && !is_big_sum(first) && !is_integral(first) && !self.reaches_to_the_end(significant()) {
@@ -118,11 +120,11 @@ impl Reader<'_> {
                 .help("write \\mathrm{d} for the derivative"));
         }
         if below != Some(order) {
-            return Err(Fault::new(span, "the numerator and the denominator of this derivative have different orders"));
+            return Err(different_orders(span, "\\frac{d^2x}{dt^2}"));
         }
         match u8::try_from(order) {
             Ok(order @ 1..=5) => Ok(Some((order, &upper[1..]))),
-            _ => Err(Fault::unsupported(span, "derivatives above the fifth order are not supported")),
+            _ => Err(of_too_high_order("derivatives above the fifth order", span)),
         }
     }
 
@@ -148,4 +150,34 @@ fn is_operator(item: &Item) -> bool {
         }
         _ => false,
     }
+}
+
+/// The fault of a derivative with another order above than below.
+pub(super) fn different_orders(span: Span, example: &str) -> Fault {
+    Fault::new(span, "the numerator and the denominator of this derivative have different orders")
+        .help(format!("write the same order above and below, as in {example}"))
+}
+
+/// The fault of derivatives of a high order.
+pub(super) fn of_too_high_order(derivatives: &str, span: Span) -> Fault {
+    Fault::unsupported(span, format!("{derivatives} are not supported"))
+        .help("give a derivative of lower order a name, and differentiate the name")
+}
+
+/// The fault of a variable below without ∂ or d before it.
+pub(super) fn without_mark(span: Span) -> Fault {
+    Fault::new(span, "∂ or d must stand before each variable in the denominator of a derivative")
+        .help("write, for example, \\frac{\\partial^2 f}{\\partial x\\,\\partial y}")
+}
+
+/// The fault of an order that is no number.
+pub(super) fn without_order(span: Span) -> Fault {
+    Fault::new(span, "the order of a derivative must be a whole number")
+        .help("write the order as a number, as in \\partial x^2")
+}
+
+/// The fault of a letter that may be a function of the variable of a derivative.
+pub(super) fn may_depend(letter: &str, span: Span) -> Fault {
+    Fault::ambiguous(span, format!("{letter} may or may not depend on the variable of this derivative"))
+        .help(format!("declare {letter} in a claims file"))
 }

@@ -129,8 +129,8 @@ impl Reader<'_> {
             return Err(match items.get(start) {
                 Some(Item { layout: Layout::Fault(fault), .. }) => fault.clone(),
                 item => {
-                    let span = item.map_or(head, |item| item.span);
-                    Fault::new(span, format!("the argument of \\{} is missing", function.name()))
+                    let what = format!("the argument of \\{} is missing", function.name());
+                    Fault::new(item.map_or(head, |item| item.span), what).help("write the argument after the function")
                 }
             });
         }

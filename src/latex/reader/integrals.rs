@@ -104,7 +104,8 @@ impl Reader<'_> {
         let of_mass = density.filter(|_| is_one_of(&["m"]) && order == Some(1));
         let fits = is_place && order == Some(measure.into()) || is_element && order == Some(1) || of_mass.is_some();
         if !fits {
-            return Err(Fault::new(place, format!("an integral over {name} needs the differential {wanted}")));
+            return Err(Fault::new(place, format!("an integral over {name} needs the differential {wanted}"))
+                .help(format!("write {wanted} at this place")));
         }
         let blank = |items: &[Item]| items.iter().all(|item| matches!(item.layout, Layout::Space(_)));
         let (before, after) = (&rest[..at], &rest[(at + 2).min(rest.len())..]);
@@ -145,7 +146,8 @@ impl Reader<'_> {
         let region =
             self.region(&below[..arrow], limit.span).map_err(|fault| Fault { span: fault.span, ..refused() })?;
         if rest.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
-            return Err(Fault::new(limit.span, "no formula follows this limit"));
+            return Err(Fault::new(limit.span, "no formula follows this limit")
+                .help("write the formula of which the limit is taken"));
         }
         let span = extent(rest).map_or(limit.span, |rest| limit.span.to(rest));
         let body = self.term(rest)?;

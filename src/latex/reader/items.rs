@@ -235,7 +235,8 @@ pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>
         return Ok(None);
     };
     if sub.is_some() || *primes > 0 {
-        return Err(Fault::unsupported(item.span, "a subscript or prime on a function such as \\sin is not supported"));
+        return Err(Fault::unsupported(item.span, "a subscript or prime on a function such as \\sin is not supported")
+            .help("write a derivative as \\frac{d}{dx} \\sin x, and put a subscript on the argument"));
     }
     match sup.as_deref() {
         // The usual name of the inverse function.

@@ -14,6 +14,7 @@ use crate::source::{Fault, Missing, Span};
 use super::super::layout::{Item, Layout, contents};
 use super::super::lexer::Space;
 use super::super::names;
+use super::derivatives::{different_orders, may_depend, of_too_high_order, without_mark, without_order};
 use super::items::{Joint, differential, has_sign_second, is_usual_index, joint, whole_number};
 use super::state::{Read, Reader};
 
@@ -72,10 +73,10 @@ impl Reader<'_> {
         let by = self.variables(lower, mark, span)?;
         let of_all: u32 = by.iter().map(|(_, times)| *times).sum();
         if of_all != order {
-            return Err(Fault::new(span, "the numerator and the denominator of this derivative have different orders"));
+            return Err(different_orders(span, "\\frac{\\partial^2 f}{\\partial x^2}"));
         }
         if order > 4 {
-            return Err(Fault::unsupported(span, "partial derivatives above the fourth order are not supported"));
+            return Err(of_too_high_order("partial derivatives above the fourth order", span));
         }
         let by = by.into_iter().flat_map(|((item, by), times)| vec![(item, by); times as usize]).collect();
         Ok(Some(Operator { mark, operand: &upper[1..], by, span }))
@@ -92,13 +93,12 @@ impl Reader<'_> {
         let mut items = lower.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
         while let Some(first) = items.next() {
             let variable = items.next().filter(|_| mark(first) == Some((wanted, 1)));
-            let variable = variable.ok_or_else(|| Fault::new(whole, "∂ or d must stand before each variable below"))?;
+            let variable = variable.ok_or_else(|| without_mark(whole))?;
             let by = self.variable(variable)?;
             let power = names::printed(variable, self.branch).and_then(|printed| printed.sup);
             let times = match power {
                 None => 1,
-                Some(power) => whole_number(power)
-                    .ok_or_else(|| Fault::new(power.span, "the order of a derivative must be a whole number"))?,
+                Some(power) => whole_number(power).ok_or_else(|| without_order(power.span))?,
             };
             found.push(((variable, by), times));
         }
@@ -108,7 +108,8 @@ impl Reader<'_> {
     /// The symbol by which a derivative is taken, with its dots.
     fn variable(&mut self, item: &Item) -> Read<Variable> {
         let Some(printed) = names::printed(item, self.branch) else {
-            return Err(Fault::unsupported(item.span, "a derivative must be by a symbol, or by the rate of one"));
+            return Err(Fault::unsupported(item.span, "a derivative must be by a symbol, or by a symbol with a dot")
+                .help("define a name for this formula, and differentiate by the name"));
         };
         if let Some((id, indices)) = self.symbols.find_or_assemble(&printed.name) {
             let entry = self.symbols.entry(id);
@@ -344,11 +345,8 @@ impl Reader<'_> {
         let is_by = |other: &Variable| other == by;
         let is_composed = |other: &Variable| self.symbols.open && self.symbols.entry(other.id).is_composed();
         if others.iter().any(is_composed) || self.symbols.infers() && !others.iter().all(is_by) {
-            return Err(Fault::ambiguous(
-                item.span,
-                "a letter in this derivative may or may not depend on the variable",
-            )
-            .help("declare the letters in a claims file"));
+            let letter = others.iter().find(|other| is_composed(other) || !is_by(other)).unwrap_or(by);
+            return Err(may_depend(&self.symbols.entry(letter.id).name.to_string(), item.span));
         }
         if let Some(unread) = self.symbols.unread_in(formula).filter(|id| *id != by.id) {
             return Err(self.refused(&NoDerivative::Unknown(unread), span));
@@ -382,8 +380,7 @@ impl Reader<'_> {
                 Err(self.refused(&NoDerivative::Unknown(others[0].id), span))
             }
             _ if self.symbols.open && !others.iter().any(is_by) && !others.is_empty() => {
-                Err(Fault::ambiguous(item.span, "a letter in this derivative may or may not depend on the variable")
-                    .help("declare the letters in a claims file"))
+                Err(may_depend(&self.symbols.entry(others[0].id).name.to_string(), item.span))
             }
             _ => derivative::partial(formula, by, scope, span).map_err(refused),
         }
@@ -394,7 +391,7 @@ impl Reader<'_> {
         match reason {
             NoDerivative::Unknown(id) => {
                 let name = self.symbols.entry(*id).name.to_string();
-                let message = format!("nothing says how {name} depends on this variable");
+                let message = format!("no formula says how {name} depends on the variable of this derivative");
                 let mut fault = Fault::unsupported(span, message)
                     .help(format!("write the formula of {name} in a display or under \"define\" in the claims file"));
                 fault.missing = Some(Missing::Name(name));

@@ -50,19 +50,14 @@ impl Reader<'_> {
 /// The fault for a command that has no meaning where it stands. `has_claims` says whether a claims file declares the symbols,
 /// so that it can leave the equation out.
 pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault {
-    let not_supported = |what: &str| {
-        let fault = Fault::unsupported(span, format!("{what} is not supported"));
-        match has_claims {
-            true => fault.help("leave the equation out with \"skip\" in the claims file"),
-            false => fault,
-        }
-    };
+    let not_supported =
+        |what: &str| Fault::unsupported(span, format!("{what} is not supported")).help(otherwise(has_claims));
     match name {
         "\\log" => {
             Fault::ambiguous(span, "\\log x may be the natural logarithm, \\ln x, or the decimal one, \\ln x/\\ln 10")
                 .help("write \\ln x, or \\frac{\\ln x}{\\ln 10}")
         }
-        "\\pm" | "\\mp" => Fault::new(span, "± can stand only where + or − can stand"),
+        "\\pm" | "\\mp" => Fault::new(span, "± can stand only where + or − can stand").help("write a term after the sign"),
         "\\partial" | "\\nabla" | "\\prod" | "\\iint" | "\\iiint" | "\\oint" | "\\oiint" => not_supported(name),
         "\\forall" | "\\exists" | "\\subset" | "\\subseteq" | "\\supset" | "\\cap" | "\\emptyset" => {
             not_supported(name)
@@ -107,7 +102,7 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
         _ if WITHOUT_VALUE.contains(&name) => {
             Fault::unsupported(span, format!("{name} cannot be evaluated here")).help(match has_claims {
                 true => "write the formula without it, or leave the equation out with \"skip\" in the claims file",
-                false => "write the formula without this command",
+                false => "write the formula without it",
             })
         }
         "\\underbrace" | "\\overbrace" => {
@@ -116,7 +111,7 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
         }
         "\\overset" | "\\underset" | "\\stackrel" => Fault::new(span, format!("{name} is not supported here"))
             .code(Code::UnknownCommand)
-            .help("write a dot as \\dot{x}; leave out anything else above or below a symbol or relation"),
+            .help("write only the symbol or the relation; a mark above a symbol can be \\dot, \\ddot, \\vec, \\hat, \\tilde or \\bar"),
         "\\cup" => Fault::unsupported(span, "\\cup joins families of symbols, and is supported under \"where\" only")
             .help("say under \"where\" what the name of the family means in this equation"),
         _ => {
@@ -140,6 +135,14 @@ const WITHOUT_VALUE: [&str; 14] = [
     "\\binom", "\\dbinom", "\\tbinom", "\\max", "\\min", "\\sup", "\\inf", "\\arg", "\\gcd", "\\deg", "\\limsup",
     "\\liminf", "\\lceil", "\\lfloor",
 ];
+
+/// The advice on a notation that has no other name.
+fn otherwise(has_claims: bool) -> &'static str {
+    match has_claims {
+        true => "write the formula without it, or leave the equation out with \"skip\" in the claims file",
+        false => "write the formula without it",
+    }
+}
 
 /// The advice to leave an equation out.
 fn left_out(has_claims: bool) -> &'static str {
@@ -187,8 +190,10 @@ pub(super) fn unread(item: &Item, has_claims: bool) -> Fault {
             (Layout::Command(name), _) => unknown_command(name, nucleus.span, has_claims),
             (_, Some(sub)) => {
                 Fault::unsupported(sub.span, "only a symbol, a vector or a 3×3 matrix can have a subscript")
+                    .help("remove the subscript, or give the formula a name of its own")
             }
-            _ => Fault::unsupported(span, "only a symbol can have a prime"),
+            _ => Fault::unsupported(span, "only a symbol can have a prime")
+                .help("remove the prime, or give the formula a name of its own"),
         },
         Layout::Command(name) => unknown_command(name, span, has_claims),
         Layout::Style(name, _) | Layout::Accent(name, _) => {
@@ -207,7 +212,9 @@ pub(super) fn unread(item: &Item, has_claims: bool) -> Fault {
         }
         Layout::Text(word) => {
             let message = format!("“{word}” is no unit, and words inside of a formula are not supported here");
-            Fault::unsupported(span, message).help("write words outside of the formula")
+            Fault::unsupported(span, message).help(
+                "write words outside of the formula, and a quantity as a letter with a subscript, such as E_{kin}",
+            )
         }
         Layout::Space(_) => Fault::unsupported(span, "a superscript or subscript cannot stand after a space")
             .help("remove the space, as in 25^\\circ"),
@@ -224,9 +231,9 @@ pub(super) fn unread(item: &Item, has_claims: bool) -> Fault {
                     fault.help("write a relation outside of all braces, parentheses and commands")
                 }
                 None if *c == ':' => fault.help("write labels and words outside of the formula"),
-                None => fault,
+                None => fault.help(otherwise(has_claims)),
             }
         }
-        _ => Fault::unsupported(span, "this notation is not supported here"),
+        _ => Fault::unsupported(span, "this notation is not supported here").help(otherwise(has_claims)),
     }
 }

@@ -49,7 +49,7 @@ impl Reader<'_> {
             }
         }
         if extent(rest).is_none() || rest.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
-            return Err(Fault::new(sigma.span, "no formula follows this sum"));
+            return Err(Fault::new(sigma.span, "no formula follows this sum").help("write what is summed after the Σ"));
         }
         let outer = self.summed.len();
         self.summed.extend(overs.iter().map(|over| over.index));
@@ -166,8 +166,9 @@ impl Reader<'_> {
                 Some(less @ 1..=9) => Ok(Some((limit, less as u8))),
                 _ => Err(Fault::index(
                     upper.span,
-                    "the upper limit must be the largest value of the index, or at most 9 less, as in n - 1",
-                )),
+                    "the upper limit must be the largest value of the index, or at most 9 less",
+                )
+                .help("write a limit such as n or n - 1")),
             },
             _ => Ok(None),
         }
@@ -252,6 +253,7 @@ impl Reader<'_> {
 
 fn wanted(span: Span) -> Fault {
     Fault::new(span, "a sum needs a declared index under the Σ, as in \\sum_{a=1}^{3}")
+        .help("declare the letter under \"indices\" in the claims file")
 }
 
 /// The excluded values of an index that is in some relation to another.

@@ -281,7 +281,8 @@ impl Reader<'_> {
         let above = typed(contents(sup));
         let has_sign = contents(sup).iter().any(|item| matches!(item.layout, Layout::Other('+' | '-')));
         let (name, _) = self.name_of(base);
-        let name = if name.is_empty() { "x" } else { name };
+        let known = !name.is_empty();
+        let name = if known { name } else { "x" };
         let (message, help) = if matches!(base.node, Node::Number(_)) && has_sign {
             (
                 "a limit from one side is not supported".to_owned(),
@@ -289,7 +290,8 @@ impl Reader<'_> {
             )
         } else if contents(sup).iter().any(is_dagger) {
             let message = format!("the superscript {above} needs a matrix or a complex number");
-            (message, format!("declare {name} as one, such as \"2x2 matrix\" or \"complex\", under \"constants\""))
+            let named = if known { name } else { "the name before it" };
+            (message, format!("declare {named} as one, such as \"2x2 matrix\" or \"complex\", under \"constants\""))
         } else {
             let message = format!(
                 "the superscript {above} is not a power, and a superscript that is only a mark is not supported"

@@ -74,7 +74,7 @@ impl Reader<'_> {
                 continue;
             }
             if pending.is_none() && !terms.is_empty() {
-                return Err(Fault::new(slice[0].span, "a + or − is missing before this term"));
+                return Err(Fault::new(slice[0].span, "a + or − is missing before this term").help("write the sign"));
             }
             let (sign, sign_span) = pending.take().map_or((Sign::Plus, None), |(sign, span)| (sign, Some(span)));
             terms.push(Term { sign, sign_span, expr: self.term(slice)? });

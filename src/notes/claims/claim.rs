@@ -294,7 +294,7 @@ fn exactly_when(fields: &Fields<'_>) -> Result<Vec<Vec<Text>>, Fault> {
         }
         Some(json) => Err(fields::wrong(json, "any of", "a list of conditions")),
         None => Err(Fault::claims(json.span, format!("\"{KEY}\" is empty"))
-            .help("as in { \"any of\": [\"a = 0\", \"b = 0\"] }")),
+            .help("write alternatives as in { \"any of\": [\"a = 0\", \"b = 0\"] }")),
     }
 }
 
@@ -349,7 +349,8 @@ fn limit(fields: &Fields<'_>) -> Result<Option<Text>, Fault> {
     let limit = fields.text("limit")?;
     match &limit {
         Some(text) if !is_limit(&text.value) => {
-            Err(Fault::claims(text.span, format!("\"{}\" is not a limit", text.value)).help("as in \"x \\\\to 0\""))
+            Err(Fault::claims(text.span, format!("\"{}\" is not a limit", text.value))
+                .help("write a limit as in \"x \\\\to 0\""))
         }
         _ => Ok(limit),
     }

@@ -162,7 +162,8 @@ pub(super) fn texts(json: &Json, name: &str) -> Result<Vec<Text>, Fault> {
     match &json.value {
         Value::String(_) => Ok(vec![text(json, name)?]),
         Value::Array(items) if !items.is_empty() => items.iter().map(|item| text(item, name)).collect(),
-        Value::Array(_) => Err(Fault::claims(json.span, format!("\"{name}\" is an empty list"))),
+        Value::Array(_) => Err(Fault::claims(json.span, format!("\"{name}\" is an empty list"))
+            .help("put a text in the list, or remove the key")),
         _ => Err(wrong(json, name, "a string or a list of strings")),
     }
 }
@@ -221,7 +222,8 @@ pub(super) fn names(list: &Text, source: &Source) -> Result<Vec<Text>, Fault> {
     for end in ends {
         let name = piece(list, start..end, source);
         if name.value.is_empty() {
-            return Err(Fault::claims(list.span, format!("a name is missing in \"{text}\"")).help("as in \"M, g, R\""));
+            return Err(Fault::claims(list.span, format!("a name is missing in \"{text}\""))
+                .help("write names between commas, as in \"M, g, R\""));
         }
         names.push(name);
         start = end + 1;

@@ -124,7 +124,8 @@ fn test(fields: &Fields<'_>, source: &Source) -> Result<Test, Fault> {
     if let (Some((first, _)), Some((second, _))) = (first, present.next()) {
         let message =
             format!("\"{}\" and \"{}\" cannot both be given: a sentence has one test", first.value, second.value);
-        return Err(Fault::claims(second.span, message).help("add a second sentence with the same quote"));
+        return Err(Fault::claims(second.span, message)
+            .help("write the second test in an entry of its own, with the same quote"));
     }
     if first.is_none_or(|(key, _)| key.value != "of")
         && let Some((key, _)) = OF.iter().find_map(|name| fields.entry(name))
@@ -135,7 +136,8 @@ fn test(fields: &Fields<'_>, source: &Source) -> Result<Test, Fault> {
     if fields.get("solutions").is_none()
         && let Some((key, _)) = fields.entry("for")
     {
-        return Err(Fault::claims(key.span, "\"for\" needs \"solutions\" beside it"));
+        return Err(Fault::claims(key.span, "\"for\" needs \"solutions\" beside it")
+            .help("write the number of solutions under \"solutions\""));
     }
     let Some((key, json)) = first else { return Ok(Test::Quoted) };
     match key.value.as_str() {
@@ -161,7 +163,8 @@ fn of(fields: &Fields<'_>, key: &Text, of: Text, source: &Source) -> Result<Test
     if let Some((second, _)) = present.next() {
         let message =
             format!("\"{}\" and \"{}\" cannot both be given: a sentence has one test", property.value, second.value);
-        return Err(Fault::claims(second.span, message).help("add a second sentence with the same quote"));
+        return Err(Fault::claims(second.span, message)
+            .help("write the second test in an entry of its own, with the same quote"));
     }
     let name = property.value.as_str();
     let text = || fields::text(json, name);
@@ -191,12 +194,12 @@ fn of(fields: &Fields<'_>, key: &Text, of: Text, source: &Source) -> Result<Test
 fn tends_to(fields: &Fields<'_>, json: &Json) -> Result<Vec<(Text, Text)>, Fault> {
     let limits = fields.pairs("tends to")?;
     if limits.is_empty() {
-        return Err(Fault::claims(json.span, "\"tends to\" is empty").help("as in { \"x \\\\to 0\": \"1\" }"));
+        return Err(Fault::claims(json.span, "\"tends to\" is empty")
+            .help("write a limit and its value, as in { \"x \\\\to 0\": \"1\" }"));
     }
     match limits.iter().find(|(limit, _)| !claim::is_limit(&limit.value)) {
-        Some((limit, _)) => {
-            Err(Fault::claims(limit.span, format!("\"{}\" is not a limit", limit.value)).help("as in \"x \\\\to 0\""))
-        }
+        Some((limit, _)) => Err(Fault::claims(limit.span, format!("\"{}\" is not a limit", limit.value))
+            .help("write a limit as in \"x \\\\to 0\"")),
         None => Ok(limits),
     }
 }

@@ -41,7 +41,7 @@ pub(super) fn axes(fields: &Fields<'_>, source: &Source) -> Result<Vec<(Text, Sp
 
 /// Reads `components`.
 pub(super) fn components(fields: &Fields<'_>, source: &Source) -> Result<Vec<(Text, Spanned<Components>)>, Fault> {
-    const HELP: &str = "as in \"x_i, y_i, z_i\", or \"along \\\\hat e_a\"";
+    const HELP: &str = "write the components, as in \"x_i, y_i, z_i\", or the axes, as in \"along \\\\hat e_a\"";
     let mut components = Vec::new();
     for (key, value) in fields.pairs("components")? {
         let vectors = fields::names(&key, source)?;

@@ -141,7 +141,7 @@ impl<F: Modulus> SquareRoots<F> {
                 }
                 let Some(root) = magnitude.or_else(|| self.roots[place].radicand.root()) else {
                     comparisons.record.undefined_here =
-                        Some("a square root of a number that has none modulo the prime");
+                        Some("a square root that does not exist modulo the prime of the test");
                     return (Residue::ONE, 0);
                 };
                 let negative = self.signs.checked_shr(comparisons.record.roots).unwrap_or(0) & 1 == 1;

@@ -49,8 +49,8 @@ pub(crate) fn check(charge: &Expr, change: &[(SymbolId, Expr)], context: &Contex
             "this is the charge of this symmetry by Noether's theorem, and so constant on shell"
         }
         Verdict::Refuted => {
-            "this is not the Noether charge of this symmetry: its time derivative (left side below) is not Σ (d/dt \
-             ∂L/∂q̇ − ∂L/∂q) δq; either L does not have this symmetry, or the charge is wrong"
+            "this is not the Noether charge of this symmetry: its time derivative (left side below) is not \
+             Σ (d/dt ∂L/∂q̇ − ∂L/∂q) δq (right side below); either L does not have this symmetry, or the charge is wrong"
         }
         _ => return Ok(found),
     };

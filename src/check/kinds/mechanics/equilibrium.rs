@@ -8,11 +8,13 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Node, Relation, SymbolId};
+use crate::formula::{Expr, Node, Relation, SymbolId, text};
 use crate::notes::claims::Equilibrium;
 use crate::source::Span;
 
-use super::expressions::{equal, lagrangian, partial, product, symbol, without_velocity_forces};
+use super::expressions::{
+    NO_LAGRANGIAN, NOT_ELEMENTARY, equal, lagrangian, partial, product, symbol, without_velocity_forces,
+};
 use crate::check::judge::identity;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::sample::context::Context;
@@ -22,10 +24,6 @@ use crate::check::verdict::finding::Finding;
 
 /// The most coordinates for which stability is decided.
 const MOST: usize = 3;
-
-/// Why stability is not decided where the second derivatives of the Lagrangian are not known as formulas.
-const NOT_ELEMENTARY: &str = "the second derivatives of the Lagrangian cannot be written as formulas; write it with \
-                              sums, products, powers and elementary functions";
 
 /// The hypotheses that the system of a printed Lagrangian stays at rest where coordinates have these values, and the others are 0: no force
 /// acts there. `None` where this is not known as formulas, and with forces, constraints or the time in L.
@@ -86,19 +84,23 @@ pub(crate) fn check(claimed: Equilibrium, context: &Context<'_>) -> Result<Findi
         // The equation of rest is printed nowhere, so a mutant of it says nothing of what is printed.
         let found = match found.code == Code::MutantPasses {
             true => {
-                let holds = context.verified("", "hypotheses that give the place");
+                let holds = context.verified("", "a place that hypotheses give");
                 Finding { points: found.points, tried: found.tried, ..holds }
             }
             false => found,
         };
         if !found.verdict.holds() {
             let moves = found.verdict == Verdict::Refuted;
-            let message = match (moves, claimed) {
-                (true, Equilibrium::Steady) => "the system does not stay on this steady motion: an acceleration that \
-                                                should be 0 is not 0"
-                    .to_owned(),
-                (true, _) => "the system does not stay at rest here: an acceleration is not 0".to_owned(),
-                (false, _) => found.message.clone(),
+            let stays = match claimed {
+                Equilibrium::Steady => "stay on this steady motion",
+                _ => "stay at rest here",
+            };
+            let message = match moves {
+                true => {
+                    let name = text::plain(&context.model.name(*q));
+                    format!("the system does not {stays}: the acceleration of {name} is not 0")
+                }
+                false => found.message.clone(),
             };
             return Ok(Finding { message, ..found });
         }
@@ -141,7 +143,7 @@ fn stability(claimed: Equilibrium, coordinates: &[SymbolId], rest: Finding, cont
     if coordinates.len() > MOST {
         return open("this is supported for at most three coordinates");
     }
-    let Some(lagrangian) = lagrangian(context) else { return open("the notes print no Lagrangian") };
+    let Some(lagrangian) = lagrangian(context) else { return open(NO_LAGRANGIAN) };
     if context.model.contains_time(&lagrangian) {
         return open("the Lagrangian depends on the time");
     }

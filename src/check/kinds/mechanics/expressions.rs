@@ -8,6 +8,14 @@ use crate::source::Span;
 use crate::check::model::claim::Link;
 use crate::check::sample::context::Context;
 
+/// Why nothing is derived where there is no Lagrangian to differentiate.
+pub(super) const NO_LAGRANGIAN: &str = "no display that can be read defines a Lagrangian; write a display L = …, and \
+                                        \"means\": { \"L\": \"Lagrangian\" } in the claims file";
+
+/// Why nothing is derived where the second derivatives of the Lagrangian are not known as formulas.
+pub(super) const NOT_ELEMENTARY: &str = "the second derivatives of the Lagrangian cannot be written as formulas; write the \
+                                         Lagrangian with sums, products, powers and elementary functions";
+
 /// The Lagrangian that the notes define, as a formula that is its name.
 pub(super) fn lagrangian(context: &Context<'_>) -> Option<Expr> {
     let model = context.model;

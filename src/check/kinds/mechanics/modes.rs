@@ -12,7 +12,7 @@ use crate::code::Code;
 use crate::formula::{Expr, Node, SymbolId};
 use crate::source::Span;
 
-use super::expressions::{equal, lagrangian, partial, product, symbol};
+use super::expressions::{NO_LAGRANGIAN, NOT_ELEMENTARY, equal, lagrangian, partial, product, symbol};
 use crate::check::certificate::formulas;
 use crate::check::judge::identity;
 use crate::check::model::PrintedLagrangian;
@@ -26,13 +26,19 @@ use crate::check::verdict::finding::Finding;
 /// The most coordinates whose determinant is written out.
 const MOST: usize = 4;
 
+/// Why there is no frequency where the determinant of the masses is 0.
+const MASSLESS: &str = "the determinant of M, the second derivatives of the Lagrangian by the velocities, is 0";
+
 /// Checks that the square of a frequency, `square`, is that of a normal mode, and of another one than those in `others`, which are
 /// the squares with their names.
 ///
 /// # Errors
 /// When no state can be drawn.
 pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<'_>) -> Result<Finding> {
-    let Some(pencil) = Pencil::of(context)? else { return Ok(unsupported(context)) };
+    let pencil = match Pencil::of(context)? {
+        Ok(pencil) => pencil,
+        Err(why) => return Ok(unsupported(why, context)),
+    };
     if let Some(why) = obstacle(&pencil, context)? {
         return Ok(context.finding(Code::NotSupported, Verdict::Undecided, why));
     }
@@ -52,12 +58,12 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
     }
     // In a case of two coordinates the determinant may vanish where the case holds, and nowhere else.
     if found.code == Code::RestatesHypothesis {
-        let holds = context.verified("", "a determinant that is 0 in this case only");
+        let holds = context.verified("", "that a determinant is 0 in this case only");
         found = Finding { points: found.points, tried: found.tried, ..holds };
     }
     match found.verdict {
         // Without masses the determinant says nothing of a frequency.
-        verdict if verdict.holds() && pencil.is_massless(context)? => return Ok(unsupported(context)),
+        verdict if verdict.holds() && pencil.is_massless(context)? => return Ok(unsupported(MASSLESS, context)),
         verdict if verdict.holds() => {}
         Verdict::Refuted => {
             let message = "this is not a normal frequency: below, the left side is det(K − ω²M), which is not 0 there; K and M are the second \
@@ -74,7 +80,7 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
             return Ok(context.finding(Code::SidesDiffer, Verdict::Refuted, message));
         }
     }
-    Ok(Finding { message: "this is a normal frequency: with it det(K − ω²M) = 0".to_owned(), ..found })
+    Ok(Finding { message: "this is a normal frequency, because det(K − ω²M) = 0 for it".to_owned(), ..found })
 }
 
 /// Checks that an equation is the secular equation for a frequency.
@@ -82,7 +88,10 @@ pub(crate) fn check(square: &Expr, others: &[(String, Expr)], context: &Context<
 /// # Errors
 /// When no state can be drawn.
 pub(crate) fn secular_equation(link: &Link, omega: SymbolId, context: &Context<'_>) -> Result<Finding> {
-    let Some(pencil) = Pencil::of(context)? else { return Ok(unsupported(context)) };
+    let pencil = match Pencil::of(context)? {
+        Ok(pencil) => pencil,
+        Err(why) => return Ok(unsupported(why, context)),
+    };
     if let Some(why) = obstacle(&pencil, context)? {
         return Ok(context.finding(Code::NotSupported, Verdict::Undecided, why));
     }
@@ -93,7 +102,7 @@ pub(crate) fn secular_equation(link: &Link, omega: SymbolId, context: &Context<'
     let printed = link.lhs.clone().minus(link.rhs.clone());
     let context = &Context { on_shell: Some(false), ..*context };
     if pencil.entries().any(|entry| context.model.depends_on(entry, &[omega])) {
-        return Ok(unsupported(context));
+        return Ok(unsupported("the Lagrangian itself contains the frequency", context));
     }
     let is_hidden =
         printed.symbols().iter().any(|(id, _)| *id != omega && context.model.depends_on(&symbol(*id, 0), &[omega]));
@@ -137,7 +146,7 @@ pub(crate) fn secular_equation(link: &Link, omega: SymbolId, context: &Context<'
         return does_not_fit("both sides are equal for every frequency, so this cannot be the secular equation");
     }
     let message = match found.verdict {
-        verdict if verdict.holds() && pencil.is_massless(context)? => return Ok(unsupported(context)),
+        verdict if verdict.holds() && pencil.is_massless(context)? => return Ok(unsupported(MASSLESS, context)),
         verdict if verdict.holds() => "this is the secular equation det(K − ω²M) = 0, up to a factor",
         Verdict::Refuted => {
             "this is not the secular equation: its sides do not differ by a multiple of det(K − ω²M), where K and M are the second \
@@ -167,9 +176,8 @@ fn fails(link: &Link, context: &Context<'_>) -> Result<bool> {
     Ok(run(link, &ensemble.states).is_ok_and(|outcome| outcome.failure.is_some()))
 }
 
-fn unsupported(context: &Context<'_>) -> Finding {
-    let message = "the normal frequencies cannot be derived from the second derivatives of the Lagrangian at rest, so \
-                   this was not decided";
+fn unsupported(why: &str, context: &Context<'_>) -> Finding {
+    let message = format!("the normal frequencies were not derived, because {why}");
     context.finding(Code::NotSupported, Verdict::Undecided, message)
 }
 
@@ -229,10 +237,13 @@ struct Pencil {
 }
 
 impl Pencil {
-    /// Those of the Lagrangian; `None`, if there are none as formulas.
-    fn of(context: &Context<'_>) -> Result<Option<Pencil>> {
+    /// Those of the Lagrangian; else the reason why there are none.
+    fn of(context: &Context<'_>) -> Result<std::result::Result<Pencil, &'static str>> {
         let coordinates: Vec<SymbolId> = context.model.coordinates.iter().map(|coordinate| coordinate.symbol).collect();
-        let Some(lagrangian) = lagrangian(context).filter(|_| coordinates.len() <= MOST) else { return Ok(None) };
+        let Some(lagrangian) = lagrangian(context) else { return Ok(Err(NO_LAGRANGIAN)) };
+        if coordinates.len() > MOST {
+            return Ok(Err("this is supported for at most four coordinates"));
+        }
         let second = |a: (SymbolId, u8), b: (SymbolId, u8)| {
             let second = partial(&partial(&lagrangian, a.0, a.1, context)?, b.0, b.1, context)?;
             Some(at_zero(second, &coordinates))
@@ -246,7 +257,7 @@ impl Pencil {
         };
         let stiffness = matrix(&|a, b| second((a, 0), (b, 0)).map(Expr::negated));
         let all = (stiffness, matrix(&|a, b| second((a, 1), (b, 1))), matrix(&turning));
-        let (Some(stiffness), Some(masses), Some(turning)) = all else { return Ok(None) };
+        let (Some(stiffness), Some(masses), Some(turning)) = all else { return Ok(Err(NOT_ELEMENTARY)) };
         let mut blocks: Vec<Vec<usize>> = Vec::new();
         for at in 0..coordinates.len() {
             let mut own = vec![at];
@@ -273,7 +284,7 @@ impl Pencil {
             }
             is_still.push(still);
         }
-        Ok(Some(Pencil { stiffness, masses, turning, blocks, is_still }))
+        Ok(Ok(Pencil { stiffness, masses, turning, blocks, is_still }))
     }
 
     fn entries(&self) -> impl Iterator<Item = &Expr> {

@@ -46,7 +46,7 @@ pub(crate) fn check(ours: &Expr, other: &Expr, context: &Context<'_>) -> Result<
     let opened = |side: &Expr| written_out(side, context);
     if opened(ours) == opened(other) {
         let message =
-            format!("this is the same formula as {shown}, so nothing is checked; print another Lagrangian here");
+            format!("this is the same formula as {shown}, so nothing is checked; write another Lagrangian here");
         return Ok(context.finding(Code::SameFormula, Verdict::Undecided, message));
     }
     let off_shell = Context { on_shell: Some(false), ..*context }.quick();
@@ -68,7 +68,10 @@ pub(crate) fn check(ours: &Expr, other: &Expr, context: &Context<'_>) -> Result<
             ..found
         });
     }
-    let message = format!("this does not give the same motion as {shown}");
+    let message = format!(
+        "this does not give the same motion as {shown}; below, the sides are d/dt ∂L/∂q̇ − ∂L/∂q of this formula and \
+         of {shown}"
+    );
     let refuted = Finding { message, code: Code::SidesDiffer, ..found };
     // The equations of one may be combinations of those of the other. So ours are tested along the motions of the other one.
     let is_system =

@@ -10,7 +10,7 @@ use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, SymbolId};
 use crate::source::Span;
 
-use super::expressions::{equal, lagrangian, partial, product, rate, sum, symbol};
+use super::expressions::{NO_LAGRANGIAN, equal, lagrangian, partial, product, rate, sum, symbol};
 use crate::check::judge::identity;
 use crate::check::model::claim::{Hypothesis, Link};
 use crate::check::model::meaning::{Meaning, Variable};
@@ -31,33 +31,48 @@ type Argument = (SymbolId, u8);
 
 /// Checks that `square` is the square of the frequency of small oscillations about a place; `what` names in messages what is printed, a
 /// frequency or a period. The place gives the coordinates that are not
-/// cyclic their values; those that it does not name are 0. `None` where no such frequency is defined, or it is not supported.
+/// cyclic their values; those that it does not name are 0. The reason, where no such frequency is defined, or it is not supported.
 ///
 /// # Errors
 /// When no state can be drawn.
-pub(crate) fn check(square: &Expr, what: &str, place: &[Hypothesis], context: &Context<'_>) -> Result<Option<Finding>> {
+pub(crate) fn check(
+    square: &Expr,
+    what: &str,
+    place: &[Hypothesis],
+    context: &Context<'_>,
+) -> Result<std::result::Result<Finding, &'static str>> {
     let model = context.model;
     let (Some(system), Some(lagrangian), Some(printed)) =
         (&model.system, lagrangian(context), &model.printed_lagrangian)
     else {
-        return Ok(None);
+        return Ok(Err(NO_LAGRANGIAN));
     };
     let is_pushed = !printed.forces.is_empty() || printed.dissipation.is_some() || !printed.constraints.is_empty();
     if is_pushed || !system.multipliers().is_empty() {
-        return Ok(None);
+        return Ok(Err("there are forces or constraints beside the Lagrangian"));
     }
     let all = || model.coordinates.iter().enumerate();
     let cyclic: Vec<Argument> =
         all().filter(|(at, _)| system.is_certainly_cyclic(*at)).map(|(_, q)| (q.symbol, 1)).collect();
     let own: Vec<SymbolId> = all().filter(|(at, _)| !system.is_certainly_cyclic(*at)).map(|(_, q)| q.symbol).collect();
-    if own.is_empty() || own.len() > MOST || cyclic.len() > MOST_CYCLIC {
-        return Ok(None);
+    if own.is_empty() {
+        return Ok(Err("the Lagrangian depends on no coordinate, so nothing oscillates"));
+    }
+    if own.len() > MOST {
+        return Ok(Err("this is supported for at most two coordinates that the Lagrangian contains"));
+    }
+    if cyclic.len() > MOST_CYCLIC {
+        return Ok(Err("this is supported for at most four cyclic coordinates"));
     }
     let entry = |x: Argument, y: Argument| -> Option<Expr> {
         let second = |x: Argument, y: Argument| partial(&partial(&lagrangian, x.0, x.1, context)?, y.0, y.1, context);
         reduced(x, y, &cyclic, &second)
     };
-    let Some(link) = condition(square, &own, &entry, &|of| model.contains_time(of)) else { return Ok(None) };
+    let Some(link) = condition(square, &own, &entry, &|of| model.contains_time(of)) else {
+        return Ok(Err(
+            "the second derivatives of the Lagrangian cannot be written as formulas, or depend on the time",
+        ));
+    };
     let zero = Expr::integer(0, Span::default());
     let names = |hypothesis: &Hypothesis, q: SymbolId| {
         [&hypothesis.lhs, &hypothesis.rhs].into_iter().any(|side| side.symbols().iter().any(|(id, _)| *id == q))
@@ -67,7 +82,8 @@ pub(crate) fn check(square: &Expr, what: &str, place: &[Hypothesis], context: &C
         model.coordinates.iter().any(is_out) && !place.iter().any(|hypothesis| names(hypothesis, *q))
     };
     if own.iter().any(is_zero_outside) {
-        return Ok(None);
+        return Ok(Err("the claim gives no place for a coordinate whose range does not contain 0; write it, as in \
+                       “frequency of small oscillations about x = a”"));
     }
     let unnamed = own.iter().filter(|q| !place.iter().any(|hypothesis| names(hypothesis, **q)));
     let unnamed: Vec<Hypothesis> = unnamed.map(|q| Hypothesis::of(equal(&symbol(*q, 0), &zero), true)).collect();
@@ -80,7 +96,8 @@ pub(crate) fn check(square: &Expr, what: &str, place: &[Hypothesis], context: &C
     let is_given = place.iter().flat_map(|known| known.lhs.symbols().into_iter().chain(known.rhs.symbols()));
     let has_constant = is_given.into_iter().any(|(id, _)| matches!(model.meaning(id), Some(Meaning::Constant(_))));
     if !has_constant && !rests(&own, &lasting, context)? {
-        return Ok(None);
+        return Ok(Err("the system was not found to stay at rest in this place; write another place, as in \
+                       “frequency of small oscillations about x = a”"));
     }
     let context = &Context { hypotheses: &lasting, on_shell: Some(true), ..*context };
     let mut found = identity::check(&link, context)?;
@@ -94,14 +111,14 @@ pub(crate) fn check(square: &Expr, what: &str, place: &[Hypothesis], context: &C
     // A frequency exists where the place is stable, and is claimed there.
     if found.code == Code::DomainDiffers {
         let holds = context.verified(known, "a root that is not real where the place is not stable");
-        return Ok(Some(Finding { points: found.points, tried: found.tried, ..holds }));
+        return Ok(Ok(Finding { points: found.points, tried: found.tried, ..holds }));
     }
     // The derived side contains parts that are 0 or 1 in this place; a mutant of these says nothing of what is printed.
     if found.code == Code::MutantPasses {
         let holds = context.verified(known, "derivatives of the Lagrangian in a place that equations give");
-        return Ok(Some(Finding { points: found.points, tried: found.tried, ..holds }));
+        return Ok(Ok(Finding { points: found.points, tried: found.tried, ..holds }));
     }
-    Ok(Some(match found.verdict {
+    Ok(Ok(match found.verdict {
         verdict if verdict.holds() => Finding { message: known, ..found },
         Verdict::Refuted => Finding {
             message: format!(

@@ -171,7 +171,10 @@ impl Probe<'_> {
                 if found == *wanted {
                     return Observation::Holds;
                 }
-                let what = format!("there are {found} real solutions for {name}, not {wanted}");
+                let what = match found {
+                    1 => format!("there is 1 real solution for {name}, not {wanted}"),
+                    _ => format!("there are {found} real solutions for {name}, not {wanted}"),
+                };
                 let compared = Compared::Counts("real solutions");
                 Observation::Fails { at: None, found: found as f64, wanted: *wanted as f64, compared, what }
             }
@@ -289,7 +292,7 @@ impl Probe<'_> {
             _ if found == wanted => Observation::Holds,
             _ => {
                 let compared = Compared::Counts(what);
-                let what = format!("the function has {found} {what} along {name}, not {wanted}");
+                let what = format!("the number of {what} of the function along {name} is {found}, not {wanted}");
                 Observation::Fails { at: None, found: found as f64, wanted: wanted as f64, compared, what }
             }
         }
@@ -403,7 +406,8 @@ fn typeset_name(model: &Model, id: SymbolId) -> String {
 /// The message that a finer grid shows another number.
 fn counts_differ(name: &str, what: &str, found: usize, finer: usize) -> String {
     format!(
-        "along {name} a grid shows {found} {what} and a finer grid {finer}; they are too close to count, so narrow the ranges"
+        "the number of {what} along {name} is {found} on a grid, and {finer} on a finer grid; they are too close to count, so narrow \
+         the ranges"
     )
 }
 

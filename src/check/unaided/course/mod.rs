@@ -465,10 +465,11 @@ impl Course<'_, '_> {
             found = self.follows_where(at, positive, &claim)?;
         }
         Ok(found.map(|mut found| {
-            found.finding.message = match found.finding.message.as_str() {
-                "" => format!("follows from {}", named(set)),
-                message => format!("{message}; it follows from {}", named(set)),
-            };
+            let (message, set) = (found.finding.message, named(set));
+            // The hypotheses are these displays.
+            let rest = message.strip_prefix("holds under its hypotheses").or(message.is_empty().then_some(""));
+            let all = || format!("{message}; it follows from {set}");
+            found.finding.message = rest.map_or_else(all, |rest| format!("follows from {set}{rest}"));
             found
         }))
     }

@@ -144,7 +144,10 @@ impl Course<'_, '_> {
         if !set.is_empty() {
             found.finding.message = match basis {
                 Basis::Solution => format!("this does not solve {}", named(set)),
-                _ => format!("{}, given {}", found.finding.message, named(set)),
+                _ => match found.finding.message.strip_prefix("this does not follow from ") {
+                    Some(others) => format!("this does not follow from {} and {others}", named(set)),
+                    None => format!("this does not follow from {}: {}", named(set), found.finding.message),
+                },
             };
         }
         Ok(Some(found))

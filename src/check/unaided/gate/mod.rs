@@ -251,7 +251,7 @@ pub(super) fn left_open(equation: Equation) -> Equation {
 }
 
 fn taken_for_granted(span: Span) -> Finding {
-    let message = "this does not follow from the other displays, so it was not checked; it is taken for granted";
+    let message = "this does not follow from the other displays; it is taken for granted, and not checked";
     Finding::new(Code::Assumed, Verdict::Assumed, span, message)
 }
 

@@ -19,7 +19,10 @@ impl Reader<'_> {
                 [] => continue,
                 [only] => split_row(only).ok_or_else(|| no_condition(only, span))?,
                 [value, condition] => (*value, *condition),
-                _ => return Err(Fault::unsupported(span, "cases with more than two columns are not supported")),
+                _ => {
+                    return Err(Fault::unsupported(span, "cases with more than two columns are not supported")
+                        .help("write each row as a value, one & and its condition"));
+                }
             };
             let place = value.first().map_or(span, |item| item.span);
             let value = self.sum(trimmed(value), place)?;
@@ -34,10 +37,11 @@ impl Reader<'_> {
         }
         let last = branches.len().saturating_sub(1);
         if branches.iter().take(last).any(|branch| branch.conditions.is_empty()) {
-            return Err(Fault::new(span, "“otherwise” must be the last of the cases"));
+            return Err(Fault::new(span, "“otherwise” must be the last of the cases").help("move this row to the end"));
         }
         match branches.len() {
-            0 => Err(Fault::new(span, "this definition by cases has no rows")),
+            0 => Err(Fault::new(span, "this definition by cases has no rows")
+                .help("write a value and a condition in each row")),
             _ => Ok(Expr::new(Node::Cases(branches), span)),
         }
     }
@@ -76,7 +80,8 @@ impl Reader<'_> {
             return match rest.iter().all(|item| names::printed(item, None).is_some() || is_blank(item)) {
                 true => Ok(Stated::Holds(Vec::new())),
                 false => {
-                    Err(Fault::unsupported(first.span, "“for all” must be followed by names alone, as in “for all x”"))
+                    Err(Fault::unsupported(first.span, "“for all” must be followed by names alone, as in “for all x”")
+                        .help("write a further condition as a comparison, such as x > 0"))
                 }
             };
         }
@@ -108,9 +113,9 @@ impl Reader<'_> {
             if relations.is_empty() {
                 let span = part.iter().map(|item| item.span).reduce(Span::to).unwrap_or(place);
                 let message = if said {
-                    "this condition has no =, < or other relation"
+                    "this condition has no relation that is supported, such as = or <"
                 } else {
-                    "a condition should stand here, but this has no =, < or other relation"
+                    "a condition should stand here, but this has no relation that is supported, such as = or <"
                 };
                 return Err(Fault::unsupported(span, message).help("write a comparison, such as x > 0"));
             }
@@ -150,7 +155,8 @@ impl Stated {
     pub(in super::super::super) fn all(self, span: Span) -> Read<Vec<Condition>> {
         match self {
             Stated::Holds(conditions) => Ok(conditions),
-            Stated::Otherwise => Err(Fault::unsupported(span, "“otherwise” is supported only in a list of cases")),
+            Stated::Otherwise => Err(Fault::unsupported(span, "“otherwise” is supported only in a list of cases")
+                .help("write the condition as a comparison, such as x > 0")),
         }
     }
 }

@@ -28,7 +28,8 @@ impl Reader<'_> {
             at += 1;
         }
         let Some(argument) = items.get(at) else {
-            return Err(Fault::new(head.span, format!("the matrix after {} is missing", function.name())));
+            return Err(Fault::new(head.span, format!("the matrix after {} is missing", function.name()))
+                .help("write the matrix, or a name that is declared as a matrix"));
         };
         // `\\det J(t)`
         if matches!(items.get(at + 1).map(|next| &next.layout), Some(Layout::Fence(Delimiter::Round, _)))
@@ -75,7 +76,8 @@ impl Reader<'_> {
         let Some(Item { layout: Layout::Fence(Delimiter::Round | Delimiter::Square, inside), span: fence }) =
             items.get(*cursor + 1)
         else {
-            return Err(Fault::new(head, "diag needs its entries in parentheses"));
+            return Err(Fault::new(head, "diag needs its entries in parentheses")
+                .help("write, for example, \\operatorname{diag}(a, b, c)"));
         };
         *cursor += 2;
         let span = head.to(*fence);

@@ -110,6 +110,7 @@ impl Reader<'_> {
                     below.span,
                     "below a Poisson bracket, only the names of coordinates and momenta are supported",
                 )
+                .help("write their names alone, as in \\{f, g\\}_{q,p}")
             })?;
             let Some((id, _)) = self.symbols.find(&name.name) else {
                 return Err(Fault::undeclared(below.span, &name.name));
@@ -118,10 +119,8 @@ impl Reader<'_> {
         }
         let half = found.len() / 2;
         if found.len() % 2 == 1 {
-            return Err(Fault::new(
-                below.span,
-                "each coordinate below a Poisson bracket needs its momentum, as in \\{f, g\\}_{q,p}",
-            ));
+            return Err(Fault::new(below.span, "each coordinate below a Poisson bracket needs its momentum")
+                .help("write each coordinate with its momentum, as in \\{f, g\\}_{q,p}"));
         }
         let is_alternating = found.chunks(2).all(|pair| self.symbols.entry(pair[1]).is_momentum());
         Ok(match is_alternating {

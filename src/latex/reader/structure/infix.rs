@@ -250,7 +250,9 @@ impl Reader<'_> {
                 Some(before) => self.pair(Joint::CDot, before, product),
             });
         }
-        let (mut expr, _) = found.ok_or_else(|| Fault::new(whole, "a factor is missing here"))?;
+        let (mut expr, _) = found.ok_or_else(|| {
+            Fault::new(whole, "a factor is missing here").help("write the factor, or remove the sign of the product")
+        })?;
         expr.span = whole;
         Ok(expr)
     }

@@ -76,7 +76,10 @@ impl Reader<'_> {
         let id = match self.symbols.find(&name) {
             Some((id, _)) => id,
             None => {
-                let taken = || Fault::new(span, format!("{name} is already the name of another symbol"));
+                let taken = || {
+                    Fault::new(span, format!("{name} is already the name of another symbol"))
+                        .help("use another name for one of the two")
+                };
                 self.symbols.add(name.clone(), Kind::Abstract).ok_or_else(taken)?
             }
         };

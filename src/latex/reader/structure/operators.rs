@@ -70,7 +70,8 @@ impl Reader<'_> {
             *cursor += 1;
             let script = printed(std::slice::from_ref(item));
             if items.get(*cursor).is_none_or(|next| matches!(next.layout, Layout::Space(_)) || joint(next).is_some()) {
-                return Err(Fault::new(item.span, "no symbol stands beside this subscript or superscript"));
+                return Err(Fault::new(item.span, "no symbol stands beside this subscript or superscript")
+                    .help("write it after its symbol, as in x_1 or x^2"));
             }
             let (base, _) = self.factor(items, cursor)?;
             let span = item.span.to(base.span);
@@ -111,7 +112,8 @@ impl Reader<'_> {
                 let place = item.span.to(base.span);
                 if matches!(contents(base), [Item { layout: Layout::Command(name), .. }] if name.ends_with("arrow")) {
                     let what = "an arrow with a formula above or below it is not supported";
-                    return Err(Fault::unsupported(place, what));
+                    return Err(Fault::unsupported(place, what)
+                        .help("write an equation, and what stands at the arrow as text beside it"));
                 }
                 *cursor += 3;
                 let inner = self.item(base)?;

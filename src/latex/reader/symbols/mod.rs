@@ -328,7 +328,8 @@ impl Reader<'_> {
             false => Kind::Scalar,
         };
         let Some(id) = self.symbols.add(name.clone(), kind) else {
-            return Err(Fault::new(span, format!("{name} is already the name of another symbol")));
+            return Err(Fault::new(span, format!("{name} is already the name of another symbol"))
+                .help("use another name for one of the two"));
         };
         // The letter of a sum is no quantity.
         self.symbols.entry_mut(id).hidden = is_bound;

@@ -22,7 +22,8 @@ impl Reader<'_> {
         let squared = match &item.layout {
             Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } if is_nabla(nucleus) => {
                 if whole_number(sup) != Some(2) {
-                    return Err(Fault::unsupported(item.span, "only the first and second power of ∇ are supported"));
+                    return Err(Fault::unsupported(item.span, "only the first and second power of ∇ are supported")
+                        .help("write a higher power as a power of the Laplacian, as in \\nabla^2 \\nabla^2"));
                 }
                 true
             }

@@ -107,8 +107,10 @@ impl Reader<'_> {
                 Some(mark) => Name { base: format!("{}^{{{mark}}}", printed.name.base), ..printed.name.clone() },
                 None => printed.name.clone(),
             };
-            let name = names::with_dots(&base, printed.dots)
-                .ok_or_else(|| Fault::unsupported(span, "derivatives above the fifth order are not supported"))?;
+            let name = names::with_dots(&base, printed.dots).ok_or_else(|| {
+                Fault::unsupported(span, "derivatives above the fifth order are not supported")
+                    .help("give a derivative of lower order a name, and differentiate the name")
+            })?;
             value = Some(self.operate_by(name, kind, Operator::Function, arguments, whole));
         }
         let mut value = match value {
@@ -117,8 +119,10 @@ impl Reader<'_> {
                 let id = match self.symbols.find(&printed.name) {
                     Some((id, _)) => id,
                     None => {
-                        let taken =
-                            || Fault::new(span, format!("{} is already the name of another symbol", printed.name));
+                        let taken = || {
+                            Fault::new(span, format!("{} is already the name of another symbol", printed.name))
+                                .help("use another name for one of the two")
+                        };
                         self.symbols.add(printed.name.clone(), kind).ok_or_else(taken)?
                     }
                 };

@@ -30,7 +30,9 @@ impl Reader<'_> {
             _ => (sign, None, None),
         };
         let Layout::Command(command) = &nucleus.layout else {
-            return Err(Fault::unsupported(sign.span, "this integral is not supported"));
+            return Err(
+                Fault::unsupported(sign.span, "this integral is not supported").help("write the equation without it")
+            );
         };
         let mut name = command.clone();
         for (mark, limit) in [("_", below), ("^", above)] {

@@ -80,7 +80,10 @@ impl Reader<'_> {
         while matches!(items.get(*cursor).map(|item| &item.layout), Some(Layout::Space(_))) {
             *cursor += 1;
         }
-        let missing = || crate::source::Fault::new(operator, "no formula follows this operator");
+        let missing = || {
+            crate::source::Fault::new(operator, "no formula follows this operator")
+                .help("write the formula on which the operator acts")
+        };
         let first = items.get(*cursor).ok_or_else(missing)?;
         if is_constant_before_an_integral(&items[*cursor..]) {
             let rest = &items[*cursor..];

@@ -40,7 +40,7 @@ impl Reader<'_> {
         }
         if is_word_with_power(item) {
             return Err(Fault::ambiguous(item.span, "this power may be that of the word or of its last letter")
-                .help("write letters as letters, m v^2, and the power of a word as (\\text{…})^2"));
+                .help("write a product of letters without \\text, m v^2, and the power of a word as (\\text{…})^2"));
         }
         if matches!(&item.layout, Layout::Command(name) if ARROWS.contains(&name.as_str())) {
             return Err(Fault::unsupported(
@@ -109,7 +109,8 @@ impl Reader<'_> {
                 .is_some_and(|found| ["\\mathcal{D}", "\\mathscr{D}"].contains(&found.name.base.as_str()))
         };
         if touches && self.symbols.inferred.differentials && is_measure(before) && self.is_name(item) {
-            return Err(Fault::unsupported(span, "an integral over paths is not supported"));
+            return Err(Fault::unsupported(span, "an integral over paths is not supported")
+                .help("write its result in a display without the integral"));
         }
         if touches && is_operation(before) && self.is_lone_letter(item) {
             return Err(Fault::ambiguous(

@@ -27,7 +27,8 @@ impl Reader<'_> {
             if self.is_abstract() {
                 return Ok(self.label(std::slice::from_ref(sign), sign.span));
             }
-            return Err(Fault::new(sign.span, format!("no formula follows this {command}")));
+            return Err(Fault::new(sign.span, format!("no formula follows this {command}"))
+                .help("write what is summed or multiplied after it"));
         }
         let mut name = command;
         let mut bound = Vec::new();

@@ -56,17 +56,16 @@ impl Reader<'_> {
         let Some(equals) = items.iter().position(|item| item.layout == Layout::Other('=')) else { return Ok(None) };
         let letter = self.sum(&items[..equals], item.span)?;
         let Node::Symbol { id, indices, dots: 0 } = &letter.node else {
-            return Err(Fault::unsupported(
-                letter.span,
-                "the place at a bar needs one letter before the =, as in |_{x=a}",
-            ));
+            return Err(Fault::unsupported(letter.span, "the place at a bar must give one letter its value")
+                .help("write one letter before the =, as in |_{x=a}"));
         };
         let letter = Variable { id: *id, indices: indices.clone(), dots: 0 };
         if !letter.indices.is_empty() || self.symbols.entry(letter.id).definition.is_some() {
             return Err(Fault::unsupported(
                 item.span,
                 "a bar is supported only for a variable that has no definition and no index",
-            ));
+            )
+            .help("write the value at this place in a display of its own"));
         }
         Ok(Some((letter, self.sum(&items[equals + 1..], item.span)?)))
     }

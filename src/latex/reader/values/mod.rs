@@ -48,7 +48,10 @@ pub(super) struct Bound {
 impl Reader<'_> {
     /// Binds the letter that an item prints.
     pub(super) fn bind(&mut self, item: &Item) -> Read<Bound> {
-        let wanted = || Fault::new(item.span, "a sum or an integral needs a letter as its variable");
+        let wanted = || {
+            Fault::new(item.span, "a sum or an integral needs a letter as its variable")
+                .help("write a letter without a dot or a power, as in \\sum_{k=1}^{n} or dx")
+        };
         let printed = names::printed(item, None).ok_or_else(wanted)?;
         if printed.dots > 0 || printed.sup.is_some() {
             return Err(wanted());

@@ -25,7 +25,8 @@ impl Reader<'_> {
         let mut powers = Vec::new();
         match collect(&order, 1, &mut powers) {
             Some(()) => Ok(Expr::new(Node::Rest(powers), span)),
-            None => Err(Fault::unsupported(span, "O(…) must contain a product of whole powers, as in O(x^3)")),
+            None => Err(Fault::unsupported(span, "O(…) must contain a product of whole powers of symbols")
+                .help("write, for example, O(x^3)")),
         }
     }
 }

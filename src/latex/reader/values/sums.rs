@@ -32,7 +32,7 @@ impl Reader<'_> {
         }
         let Some(start) = contents(sub).iter().position(|item| std::ptr::eq(item, *first)) else { return Ok(None) };
         if rest.iter().all(|item| matches!(item.layout, Layout::Space(_))) {
-            return Err(Fault::new(sign.span, "no formula follows this sum"));
+            return Err(Fault::new(sign.span, "no formula follows this sum").help("write what is summed after the Σ"));
         }
         let span = extent(rest).map_or(sign.span, |rest| sign.span.to(rest));
         let lower = self.sum(&contents(sub)[start..], sub.span)?;
