@@ -93,7 +93,13 @@ pub(super) fn trimmed(items: &[Item]) -> &[Item] {
 /// Whether items are the number of a step: `n`, `n+1`, `0`.
 pub(super) fn is_step(items: &[Item]) -> bool {
     let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
-    let is_counter = |item: &Item| matches!(item.layout, Layout::Letter('n' | 'k' | 'm' | 'i' | 'j' | 't'));
+    let is_counter = |item: &Item| {
+        let letter = match &item.layout {
+            Layout::Scripts { nucleus, sub: Some(sub), sup: None, primes: 0 } if whole_number(sub).is_some() => nucleus,
+            _ => item,
+        };
+        matches!(letter.layout, Layout::Letter('n' | 'k' | 'm' | 'i' | 'j' | 't'))
+    };
     let is_number = |item: &Item| whole_number(item).is_some();
     match solid.as_slice() {
         [only] => is_counter(only) || is_number(only),

@@ -398,7 +398,8 @@ impl Evidence {
                 let letter = name.base.trim_start_matches('\\');
                 let is_greek = letter.len() < name.base.len() && letter.starts_with(|c: char| c.is_uppercase());
                 // `x[n+1] = x[n]`, `x[0]`: a signal at a step. `\lambda[z] = …`: what is a whole side is no product.
-                let is_step = matches!(arguments.as_slice(), [only] if is_step(trimmed(only)));
+                let are_steps = arguments.iter().all(|part| is_step(trimmed(part)));
+                let is_step = are_steps && arguments.len() == 1;
                 // One number in brackets may be a factor; of one name, two numbers are steps.
                 let is_number = matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [only] if whole_number(only).is_some()));
                 if is_number && !self.numbered.contains(&name) {
@@ -411,6 +412,8 @@ impl Evidence {
                 }
                 // A commutator has two parts.
                 is_small && is_step
+                    // `r[m, n]`: numbers of steps have no commutator.
+                    || are_steps && arguments.len() > 1 && name.base != "i"
                     || is_side && arguments.len() == 1 && plain.is_some()
                     || arguments.len() != 2
                         && plain.is_some()

@@ -115,11 +115,11 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
     }
 }
 
-/// Rewrites `\arg\min` and `\arg\max` into one name. Returns the position of what follows.
+/// Rewrites `\arg\min`, `\arg\max` and their kin into one name. Returns the position of what follows.
 fn argument_of_an_extremum(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
     let spaces = tokens[at + 1..].iter().take_while(|token| token.kind == TokenKind::Space(Space::Thin)).count();
     let extremum = tokens.get(at + 1 + spaces).and_then(|token| match &token.kind {
-        TokenKind::Command(name) if name == "\\min" || name == "\\max" => Some((name, token.span)),
+        TokenKind::Command(name) if ["\\min", "\\max", "\\inf", "\\sup"].contains(&name.as_str()) => Some((name, token.span)),
         _ => None,
     });
     let Some((name, end)) = extremum else {

@@ -1,9 +1,11 @@
-//! What stands beside a factor and is none: the change of a formula, `\delta\ln W`; a term with its sign in braces, `b {+c}`; words.
+//! What stands beside a factor and is none: the change of a formula, `\delta\ln W`; a term with its sign in braces, `b {+c}`; words; the
+//! mean value before what it averages, `\mathbb{E} X`; Euler's number behind 2π; the imaginary unit in `(-j)^n`.
 
 use crate::formula::units;
 use crate::source::Fault;
 
 use super::super::super::layout::{Delimiter, Item, Layout, contents};
+use super::super::super::names;
 use super::super::items::joint;
 
 /// The fault of δ, Δ or d before what is no letter: `\delta\ln W`, `d\ln T`. `d\sin\theta` is a product as often.
@@ -49,4 +51,24 @@ pub(super) fn is_word(item: &Item) -> bool {
     let Layout::Text(word) = &item.layout else { return false };
     let is_long = word.len() > 3 && word.chars().all(|c| c.is_ascii_lowercase());
     (is_long || SHORT.contains(&word.as_str())) && !FUNCTIONS.contains(&word.as_str()) && units::parse(word).is_err()
+}
+
+/// Whether an item is `(-j)^{n}`: nobody raises the negative of a real letter.
+pub(super) fn is_power_of_j(item: &Item) -> bool {
+    let Layout::Scripts { nucleus, sub: None, sup: Some(_), primes: 0 } = &item.layout else { return false };
+    let Layout::Fence(Delimiter::Round, inside) = &nucleus.layout else { return false };
+    matches!(inside.as_slice(), [minus, j] if minus.layout == Layout::Other('-') && j.layout == Layout::Letter('j'))
+}
+
+/// Whether an item is the sign of a mean value, `\mathbb{E}_x`.
+pub(super) fn is_expectation(item: &Item) -> bool {
+    let nucleus = if let Layout::Scripts { nucleus, .. } = &item.layout { nucleus } else { item };
+    names::printed(nucleus, None).is_some_and(|found| found.name.base == "\\mathbb{E}")
+}
+
+/// Whether items end with 2π.
+pub(super) fn is_twice_pi(items: &[Item]) -> bool {
+    let mut solid = items.iter().rev().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    let is_pi = solid.next().is_some_and(|pi| pi.layout == Layout::Command("\\pi".to_owned()));
+    is_pi && solid.next().is_some_and(|two| two.layout == Layout::Number("2".to_owned()))
 }
