@@ -20,12 +20,13 @@ use crate::formula::text;
 
 use super::arguments::{
     distribution, fence, has_dagger, is_comma, is_dimension, is_given, is_letter, is_step, is_unit_in_brackets,
-    is_zero, item_has_comma, starts_derivative, trimmed,
+    is_zero, item_has_comma, names_itself, starts_derivative, trimmed,
 };
 use super::layout::{Delimiter, Item, Layout, contents};
 use super::names;
 use super::primed_names;
 use super::reader::items::{differential, is_integral, is_minus_one, is_transpose, whole_number};
+use super::reader::algebra::evidence;
 use super::reader::structure;
 use super::reader::undeclared::{coefficient_d, uses, vectors};
 use super::rows::relation;
@@ -82,7 +83,8 @@ pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
         symbols.inferred.said.push("δ before a letter is a variation".to_owned());
         symbols.inferred.variations = true;
     }
-    symbols.inferred.matrices.extend(matrices);
+    let crossed = evidence::crossed(items);
+    symbols.inferred.matrices.extend(matrices.into_iter().filter(|name| !crossed.contains(name)));
     symbols.inferred.matrices.extend(vectors::matrices(items));
     if is_abstract {
         structure::note(items, &mut symbols.inferred);
@@ -330,8 +332,8 @@ impl Evidence {
         if is_acceleration || is_tuple || is_of_states {
             return;
         }
-        // `\Gamma(a^\dagger b + b^\dagger a)`
-        if has_dagger(inside) {
+        // `\Gamma(a^\dagger b + b^\dagger a)`, `J(J + 1)`
+        if has_dagger(inside) || names_itself(inside, &name) {
             return;
         }
         // `\mathbf{x}^T (A) \mathbf{x}` is a product.
@@ -460,7 +462,10 @@ impl Evidence {
         {
             return Some(name.clone());
         }
-        let found = names::printed(only, None).filter(|found| found.sup.is_none() && follows)?;
+        // `R(x^*)` is the value at the place x*.
+        let is_star = |sup: &Item| matches!(contents(sup), [Item { layout: Layout::Other('*'), .. }]);
+        let is_name = |sup: Option<&Item>| sup.is_none_or(|sup| self.is_abstract && is_star(sup));
+        let found = names::printed(only, None).filter(|found| is_name(found.sup) && follows)?;
         names::with_dots(&found.name, found.dots).map(|name| name.to_string())
     }
 

@@ -173,6 +173,13 @@ fn stacked(
         into.push(Token { kind: TokenKind::Command(accent.to_owned()), span: token.span });
         return end + 1;
     }
+    // `\stackrel{\mathrm{def}}=`
+    if let Some((_, end)) = label
+        && let Some(sign) = tokens.get(end + 1..end + 2).filter(|sign| is_relation(sign))
+    {
+        into.extend_from_slice(sign);
+        return end + 2;
+    }
     let relation = label.and_then(|(_, end)| argument(end + 1));
     match relation.filter(|(open, end)| is_relation(&tokens[open + 1..*end])) {
         Some((open, end)) => {

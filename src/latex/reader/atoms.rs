@@ -211,7 +211,13 @@ impl Reader<'_> {
 
     /// `(a + b)^2`: a formula that is no name, with a superscript.
     fn with_superscript(&mut self, nucleus: &Item, sup: &Item, span: Span) -> Read<Expr> {
-        let base = self.item(nucleus)?;
+        let base = match &nucleus.layout {
+            // `[a\,b]^2`: no row has a power.
+            Layout::Fence(Delimiter::Square, inside) if are_entries(inside) && whole_number(sup).is_some() => {
+                self.sum(inside, nucleus.span)?
+            }
+            _ => self.item(nucleus)?,
+        };
         if matches!(nucleus.layout, Layout::Group(_)) && matches!(base.node, Node::Sum(_) | Node::Product(_)) {
             return Err(Fault::ambiguous(span, "braces do not print, so {a b}^2 may be (a b)^2 or a b^2")
                 .help("use parentheses"));

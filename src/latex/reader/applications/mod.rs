@@ -114,6 +114,9 @@ impl Reader<'_> {
         cursor: &mut usize,
     ) -> Read<Option<Expr>> {
         let Some((fence, inside)) = items.get(*cursor).and_then(parenthesis) else { return Ok(None) };
+        if self.symbols.open && self.is_a_product_by_its_power(id, &items[*cursor]) {
+            return Ok(None);
+        }
         if let Some(found) = self.at_an_instant(expr, sup, fence, cursor)? {
             return Ok(Some(found));
         }
@@ -326,7 +329,8 @@ impl Reader<'_> {
         let Some((fence, inside)) = parenthesis(next) else { return Ok(()) };
         let entry = self.symbols.entry(id);
         let name = &entry.name;
-        if self.symbols.open && self.is_a_product_by_its_brackets(id, fence) {
+        let is_product = self.is_a_product_by_its_brackets(id, fence) || self.is_a_product_by_its_power(id, next);
+        if self.symbols.open && is_product {
             return Ok(());
         }
         // ħ is no function.
