@@ -25,8 +25,8 @@ use super::arguments::{
 use super::layout::{Delimiter, Item, Layout, contents};
 use super::names;
 use super::primed_names;
-use super::reader::items::{differential, is_integral, is_minus_one, is_transpose, whole_number};
 use super::reader::algebra::evidence;
+use super::reader::items::{differential, is_integral, is_minus_one, is_transpose, whole_number};
 use super::reader::structure;
 use super::reader::undeclared::{coefficient_d, uses, vectors};
 use super::rows::relation;

@@ -119,7 +119,9 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
 fn argument_of_an_extremum(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
     let spaces = tokens[at + 1..].iter().take_while(|token| token.kind == TokenKind::Space(Space::Thin)).count();
     let extremum = tokens.get(at + 1 + spaces).and_then(|token| match &token.kind {
-        TokenKind::Command(name) if ["\\min", "\\max", "\\inf", "\\sup"].contains(&name.as_str()) => Some((name, token.span)),
+        TokenKind::Command(name) if ["\\min", "\\max", "\\inf", "\\sup"].contains(&name.as_str()) => {
+            Some((name, token.span))
+        }
         _ => None,
     });
     let Some((name, end)) = extremum else {

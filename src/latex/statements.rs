@@ -181,12 +181,6 @@ impl Piece<'_> {
         if self.has_alternatives {
             return Ok((self.alternatives(symbols, branch)?, Vec::new()));
         }
-        // What cannot be read is not left out of what is shown as it is printed.
-        if symbols.is_abstract()
-            && let Some(fault) = self.links.iter().flat_map(|link| &link.items).find_map(|item| fault_in(item))
-        {
-            return Err(fault);
-        }
         let links: Vec<(Printed, Vec<Item>)> = self
             .links
             .iter()
@@ -236,6 +230,11 @@ impl Piece<'_> {
         compare_members(&members, &types, &relations, symbols)?;
         reject_free_pair_sums(&members, &types, symbols)?;
         note_complex(&members, &types, symbols);
+        // What cannot be read is not left out of what is shown as it is printed.
+        let lost = || self.links.iter().flat_map(|link| &link.items).find_map(|item| fault_in(item));
+        if let Some(fault) = symbols.is_abstract().then(lost).flatten() {
+            return Err(fault);
+        }
         let statement =
             Statement { members, relations, conditions, constant: self.constant, branch, row: self.row, span };
         Ok((statement, news))
@@ -272,7 +271,6 @@ impl Piece<'_> {
         Ok(conditions)
     }
 }
-
 
 /// A member with its type; one that is left out where only the structure is read.
 fn read_member(items: &[Item], place: Span, is_left_out: bool, reader: &mut Reader<'_>) -> Result<(Expr, Type), Fault> {

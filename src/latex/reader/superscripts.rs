@@ -143,8 +143,11 @@ impl Reader<'_> {
         // `\theta^{M[u, x]}`: a list is no exponent.
         let has_list = |item: &&&Item| matches!(&item.layout, Layout::Fence(Delimiter::Square, inside) if inside.iter().any(|item| item.layout == Layout::Other(',')));
         if let Some(list) = marks.iter().find(has_list).filter(|_| self.symbols.open) {
-            return Err(Fault::ambiguous(list.span, "brackets with a comma in an exponent may hold arguments or a commutator")
-                .help("for arguments, write parentheses, as in M(u, x)"));
+            return Err(Fault::ambiguous(
+                list.span,
+                "brackets with a comma in an exponent may hold arguments or a commutator",
+            )
+            .help("for arguments, write parentheses, as in M(u, x)"));
         }
         if self.is_level(self.name_of(base).0, sup) {
             return Err(unclear(span, sup, "the number of a step or a power")

@@ -234,7 +234,8 @@ impl Settler {
         let mut end = from;
         loop {
             let mut at = end + items[end..].iter().take_while(|item| is_thin(item)).count();
-            let is_apart = is_alone || at > end || from > 0 && (is_thin(&items[from - 1]) || is_power_of_ten(&items[from - 1]));
+            let is_apart =
+                is_alone || at > end || from > 0 && (is_thin(&items[from - 1]) || is_power_of_ten(&items[from - 1]));
             let mut by_slash = false;
             match items.get(at).map(|item| &item.layout) {
                 Some(Layout::Other('/')) => {

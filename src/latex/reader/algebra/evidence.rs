@@ -57,8 +57,13 @@ pub fn crossed(items: &[Item]) -> Vec<String> {
         (is_bold(&found.name) || found.name.base.starts_with("\\vec{")).then_some(found.name.base)
     };
     let is_cross = |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\times");
-    let here = solid.windows(3).filter(|three| is_cross(three[1]));
-    let mut found: Vec<String> = here.flat_map(|three| [vector(three[0]), vector(three[2])]).flatten().collect();
+    // In `\omega \times I\omega` a matrix stands behind the ×.
+    let after = |at: usize| {
+        let acts = solid.get(at + 1).is_some_and(|next| vector(next).is_some());
+        solid.get(at).filter(|_| !acts).and_then(|item| vector(item))
+    };
+    let crosses = (1..solid.len()).filter(|at| is_cross(solid[*at]));
+    let mut found: Vec<String> = crosses.flat_map(|at| [vector(solid[at - 1]), after(at + 1)]).flatten().collect();
     found.extend(items.iter().flat_map(parts).flat_map(crossed));
     found
 }

@@ -129,11 +129,16 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
     // `\dot\psi(\bar\rho + \bar P)`, `\mathcal{H}(a + b)`: a sum of letters that are no place is a factor as often.
     let is_symbol = ["\\Phi", "\\Psi", "\\psi", "\\phi", "\\varphi"].contains(&base) || base.starts_with("\\mathcal{");
     let is_variable = |item: &Item| {
-        matches!(item.layout, Layout::Number(_) | Layout::Fence(..) | Layout::Letter('z' | 's' | 'k' | 'p' | 'n' | 'u'))
-            || is_place(item)
-            || ["\\theta", "\\omega", "\\xi"].iter().any(|sign| {
-                names::printed(item, None).is_some_and(|found| found.name.base == *sign)
-            })
+        matches!(
+            item.layout,
+            Layout::Number(_)
+                | Layout::Fence(..)
+                | Layout::Fraction(..)
+                | Layout::Letter('z' | 's' | 'k' | 'p' | 'n' | 'u')
+        ) || is_place(item)
+            || ["\\theta", "\\omega", "\\xi"]
+                .iter()
+                .any(|sign| names::printed(item, None).is_some_and(|found| found.name.base == *sign))
     };
     if is_symbol && base != "\\mathcal{O}" && is_sum && !inside.iter().any(is_variable) {
         return false;

@@ -25,7 +25,8 @@ impl Reader<'_> {
 pub(in super::super::super) fn is_extremum(item: &Item) -> bool {
     let Layout::Scripts { nucleus, sub: Some(_), sup: None, primes: 0 } = &item.layout else { return false };
     const WORDS: [&str; 12] = [
-        "min", "max", "sup", "inf", "argmin", "argmax", "arginf", "argsup", "minimize", "maximize", "minimum", "maximum",
+        "min", "max", "sup", "inf", "argmin", "argmax", "arginf", "argsup", "minimize", "maximize", "minimum",
+        "maximum",
     ];
     let nucleus = match contents(nucleus) {
         [only] => only,

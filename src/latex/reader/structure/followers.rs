@@ -101,12 +101,14 @@ impl Reader<'_> {
     /// `\sigma_{A^+, B}(E)`: a name with scripts of more than names, before a lone name or a list in parentheses.
     fn applied_by_its_scripts(&mut self, factor: Expr, items: &[Item], cursor: &mut usize) -> Read<Expr> {
         let before = cursor.checked_sub(1).and_then(|at| items.get(at)).filter(|before| has_other_scripts(before));
-        let (Some(before), Some(Item { layout: Layout::Fence(delimiter, inside), span })) = (before, items.get(*cursor))
+        let (Some(before), Some(Item { layout: Layout::Fence(delimiter, inside), span })) =
+            (before, items.get(*cursor))
         else {
             return Ok(factor);
         };
         let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
-        let is_name = matches!(inside.as_slice(), [only] if names::printed(only, None).is_some_and(|found| found.sup.is_none()));
+        let is_name =
+            matches!(inside.as_slice(), [only] if names::printed(only, None).is_some_and(|found| found.sup.is_none()));
         let (open, close) = match delimiter {
             Delimiter::Round => ("(", ")"),
             Delimiter::Square if is_name => ("[", "]"),

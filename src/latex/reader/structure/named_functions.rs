@@ -116,7 +116,8 @@ impl Reader<'_> {
                 items.get(*cursor)
         {
             *cursor += 1;
-            let inner = self.item(fence)?;
+            let Layout::Fence(_, inside) = &fence.layout else { return Ok(None) };
+            let inner = self.sum(inside, *span)?;
             let whole = item.span.to(*span);
             let value = self.template(&format!("{name}[#]"), vec![inner], whole);
             return self.raised(value, sup, whole).map(Some);
@@ -124,7 +125,14 @@ impl Reader<'_> {
         // A mean value and a trace reach to the end of the term.
         let reaches_on = matches!(&nucleus.layout, Layout::Style(style, _) if style == "\\mathbb")
             || TRACES.contains(&word.as_str());
+        // `\operatorname{Tr}_B |a\rangle\langle a|`
+        let is_state = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::Ket, _));
+        let rest = *cursor..items.len();
         let inner = match reaches_on {
+            true if items[rest.clone()].iter().any(is_state) => {
+                *cursor = items.len();
+                Some(self.term(&items[rest])?)
+            }
             true => self.on_the_rest(items, cursor)?,
             false => self.on_the_next(items, cursor)?,
         };
@@ -202,8 +210,8 @@ const OF_OTHERS: [(&str, &str); 11] = [
 
 /// Functions that have a command or an upright name, and no value here.
 const FUNCTIONS: [&str; 44] = [
-    "arginf", "argsup",
-    "log", "lg", "max", "min", "minimum", "maximum", "minimize", "maximize", "sup", "inf", "arg", "argmax", "argmin",
-    "sgn", "sign", "dim", "ker", "rank", "span", "erf", "erfc", "sinc", "gcd", "Pr", "hom", "Res", "Var", "Cov", "ad",
-    "Ad", "div", "grad", "rot", "curl", "diag", "arctanh", "arcsinh", "arccosh", "sech", "csch", "coth", "cosech",
+    "arginf", "argsup", "log", "lg", "max", "min", "minimum", "maximum", "minimize", "maximize", "sup", "inf", "arg",
+    "argmax", "argmin", "sgn", "sign", "dim", "ker", "rank", "span", "erf", "erfc", "sinc", "gcd", "Pr", "hom", "Res",
+    "Var", "Cov", "ad", "Ad", "div", "grad", "rot", "curl", "diag", "arctanh", "arcsinh", "arccosh", "sech", "csch",
+    "coth", "cosech",
 ];

@@ -121,14 +121,19 @@ fn is_decimal(item: &Item) -> bool {
 pub fn is_a_number(items: &[Item]) -> bool {
     let ends = |item: &Item| {
         relation(item).is_some()
-            || matches!(item.layout, Layout::Other(',' | ';') | Layout::Row | Layout::Text(_) | Layout::Space(Space::Wide))
+            || matches!(
+                item.layout,
+                Layout::Other(',' | ';') | Layout::Row | Layout::Text(_) | Layout::Space(Space::Wide)
+            )
     };
     let is_power = |item: &Item| {
         matches!(&item.layout, Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 }
             if nucleus.layout == Layout::Letter('e') && is_figure(sup))
     };
     let is_figure = |item: &Item| {
-        matches!(item.layout, Layout::Number(_) | Layout::Other('+' | '-' | '.')) || is_numeric_item(item) || is_power(item)
+        matches!(item.layout, Layout::Number(_) | Layout::Other('+' | '-' | '.'))
+            || is_numeric_item(item)
+            || is_power(item)
     };
     let is_blank = |item: &Item| matches!(item.layout, Layout::Space(_) | Layout::Align);
     let sides: Vec<Vec<&Item>> =
@@ -139,11 +144,13 @@ pub fn is_a_number(items: &[Item]) -> bool {
     };
     let here = (0..sides.len()).any(|at| {
         let side = &sides[at];
-        let has_number = side.iter().any(|item| matches!(item.layout, Layout::Number(_)));
+        let is_sum = side.iter().any(|item| matches!(item.layout, Layout::Number(_)))
+            && side.iter().any(|item| matches!(item.layout, Layout::Other('+' | '-')));
+        let is_negative =
+            |item: &Item| matches!(&item.layout, Layout::Scripts { sup: Some(sup), .. } if is_negative(sup));
         side.iter().any(|item| is_power(item))
             && side.iter().all(|item| is_figure(item))
-            && (has_number && side.iter().any(|item| matches!(item.layout, Layout::Other('+' | '-')))
-                || is_decimal(sides.get(at + 1)))
+            && (is_sum && side.iter().any(|item| is_negative(item)) || is_decimal(sides.get(at + 1)))
     });
     here || items.iter().any(|item| match &item.layout {
         Layout::Environment(_, rows) => rows.iter().any(|row| is_a_number(&row.concat())),

@@ -60,8 +60,11 @@ impl Reader<'_> {
             return Ok(());
         };
         if !self.is_abstract() && is_open_decimal(before, item) {
-            return Err(Fault::unsupported(before.span.to(item.span), "a number whose decimals go on has no exact value")
-                .help("write the number without the dots, after ≈"));
+            return Err(Fault::unsupported(
+                before.span.to(item.span),
+                "a number whose decimals go on has no exact value",
+            )
+            .help("write the number without the dots, after ≈"));
         }
         if !self.is_abstract() && is_expectation(before) && joint(item).is_none() {
             return Err(Fault::unsupported(before.span, "a mean value without parentheses is not supported")

@@ -81,13 +81,16 @@ impl Found {
                 self.subscripted.iter().any(|other| other.name == one.name && is_it(&other.below))
             };
             let is_plain = self.plain.contains(&one.name);
+            // `\sigma_x \sigma_t` are errors of two quantities.
+            let is_field =
+                |name: &Name| FIELDS.contains(&name.base.as_str()) || ["w", "h", "q"].contains(&name.base.as_str());
             let is_twice = one.below.len() > 1;
             let is_differenced = self.differences.iter().any(|(name, _)| *name == one.name);
             let is_letter = one.name.base.starts_with(|c: char| c.is_lowercase() || c == '\\');
             let is_tensor = ["\\sigma", "\\tau", "\\epsilon", "\\varepsilon"].contains(&one.name.base.as_str());
             match one.below.as_str() {
                 "t" => {
-                    of_it(&|below| below == "x" || below.len() > 1)
+                    of_it(&|below| below == "x" && is_field(&one.name) || below.len() > 1)
                         || self.has_group && is_plain
                         || is_plain && self.has_nabla
                         || is_differenced

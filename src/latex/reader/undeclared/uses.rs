@@ -231,7 +231,8 @@ fn lone_exponent(sup: &Item) -> Option<String> {
         _ => return None,
     };
     let found = lone(letter).filter(|found| found.name.subscript.is_empty())?;
-    matches!(found.name.base.as_bytes(), [b'a'..=b'h' | b'k'..=b'z']).then_some(found.name.base)
+    // The o of `90^o` is a degree.
+    matches!(found.name.base.as_bytes(), [b'a'..=b'h' | b'k'..=b'n' | b'p'..=b'z']).then_some(found.name.base)
 }
 
 fn is_space(item: &Item) -> bool {
