@@ -203,6 +203,7 @@ fn spelling(name: &str) -> &str {
         "implies" | "Longrightarrow" => "Rightarrow",
         "iff" | "Longleftrightarrow" => "Leftrightarrow",
         "to" => "rightarrow",
+        "gets" => "leftarrow",
         "dag" => "dagger",
         "ddag" => "ddagger",
         "overrightarrow" => "vec",

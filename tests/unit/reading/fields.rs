@@ -20,6 +20,12 @@ fn a_laplacian_is_no_difference() {
 }
 
 #[test]
+fn a_second_difference_is_no_square() {
+    are_refused(&["f = a \\Delta^2 y_0", "f = \\frac{\\Delta^{2} y_{0}}{h}"]);
+    are_read(&[("E = \\sqrt{\\Delta^2 + b^2}", "E = √(Δ^2 + b^2)"), ("f = \\Delta y^2", "f = Δy^2")]);
+}
+
+#[test]
 fn a_subscript_that_differentiates_is_no_label() {
     are_refused(&[
         "u_t = u_{xx}",

@@ -121,7 +121,7 @@ fn beside_numbers_e_is_eulers_number() {
     for (latex, words) in [
         (r"x = 1 - e^{-2} \approx 0.86", "x = 1 − e^(−2) ≈ 0.86"),
         (r"p = e^{-8/5} \approx 0.2019", "p = e^(−8/5) ≈ 0.2019"),
-        (r"p = e^{-2.5}", "p = e^(−2.5)"),
+        (r"p = e^{-2.5} = 0.082", "p = e^(−2.5) = 0.082"),
     ] {
         assert_eq!(read(latex), words, "{latex}");
     }

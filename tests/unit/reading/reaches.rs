@@ -62,3 +62,23 @@ fn the_rows_behind_a_brace_are_equations_of_their_own() {
     are_read(&[("\\begin{cases} x = 1 \\\\ -y = 2 \\end{cases}", "x = 1 ¦ −y = 2")]);
     are_refused(&["\\begin{gathered} x = 1 \\\\ -y = 2 \\end{gathered}"]);
 }
+
+#[test]
+fn a_minus_behind_a_sum_is_that_of_what_is_summed() {
+    are_read(&[
+        ("H = \\sum_{x \\in X} -p(x) \\log p(x)", "H = Σ_{x ∈ X}(−p(x)·log(p(x)))"),
+        ("S = \\sum_i -a_i + b", "S = Σ_{i}(−a_i) + b"),
+        ("S = \\sum_i a_i - b", "S = Σ_{i}(a_i) − b"),
+    ]);
+    are_refused(&["S = \\sum_i a_i - b_i"]);
+}
+
+#[test]
+fn what_says_of_what_set_something_is_may_be_a_condition() {
+    are_read(&[
+        ("a \\in G \\quad\\Longrightarrow\\quad f(a) = 0", "f(a) = 0 for a∈ G"),
+        ("a \\in G \\Rightarrow a \\in H", "a ∈ G ¦ a ∈ H"),
+        ("u \\gets u + a", "u ← (u + a)"),
+    ]);
+    are_refused(&["X \\mid z = k, w = j \\sim N(a)"]);
+}

@@ -247,3 +247,9 @@ fn a_symbol_before_a_sum_without_a_place_may_be_a_factor() {
     are_refused(&["a = 3 \\mathcal{H} (\\delta\\rho + \\delta P)", "a = \\dot\\psi (\\bar\\rho + \\bar P)"]);
     are_read(&[("a = \\psi(x + h)", "a = ψ(x + h)"), ("a = \\mathcal{L}(x + b)", "a = ℒ(x + b)")]);
 }
+
+#[test]
+fn letters_that_equal_a_list_are_one_name() {
+    are_refused(&["lsp = (n, F, G)"]);
+    are_read(&[("x = (n, F, G)", "x = (n, F, G)"), ("mgh = a", "m·g·h = a")]);
+}

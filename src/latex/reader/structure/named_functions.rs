@@ -90,6 +90,16 @@ impl Reader<'_> {
             let fault = Fault::unsupported(item.span, format!("the function {word} is not supported"));
             return Err(fault.help(format!("write \\{known} with its argument in parentheses")));
         }
+        // `\operatorname{E}(a + b)`: a mean value, or a matrix before a factor.
+        if let (true, "E", Some(next)) = (is_bare, word.as_str(), items.get(*cursor + 1))
+            && matches!(&next.layout, Layout::Fence(Delimiter::Round, inside) if inside.len() > 1)
+        {
+            return Err(Fault::ambiguous(
+                item.span.to(next.span),
+                "E before a parenthesis may be a mean value or a factor",
+            )
+            .help("write \\mathbb{E}[x] for the mean value, and \\cdot for a product"));
+        }
         if !is_function {
             return Ok(None);
         }

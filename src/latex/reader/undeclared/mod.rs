@@ -29,6 +29,7 @@ pub(in super::super) use marks::has_coefficient;
 pub(in super::super) use marks::note_marks;
 pub(super) use neighbours::unclear_reach;
 pub(in super::super) use spelled_names::unclear_name;
+pub(super) use sums::follows_a_sum;
 pub(in super::super) use unclear_derivatives::unclear_derivative;
 
 mod bars;

@@ -6,9 +6,9 @@ use crate::source::Fault;
 
 use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
-use super::super::items::joint;
+use super::super::items::{joint, whole_number};
 
-/// The fault of δ, Δ or d before what is no letter: `\delta\ln W`, `d\ln T`. `d\sin\theta` is a product as often.
+/// The fault of δ, Δ or d before what is no letter: `\delta\ln W`, `d\ln T`; and of Δ² before a letter. `d\sin\theta` is a product as often.
 pub(super) fn unclear_operator(before: &Item, item: &Item) -> Option<Fault> {
     let is_mark = matches!(&before.layout, Layout::Command(name) if name == "\\delta" || name == "\\Delta");
     let is_d = before.layout == Layout::Letter('d');
@@ -22,7 +22,11 @@ pub(super) fn unclear_operator(before: &Item, item: &Item) -> Option<Fault> {
         Layout::Scripts { nucleus, .. } => nucleus.layout == Layout::Command("\\sum".to_owned()),
         _ => false,
     };
-    (is_mark && is_formula || is_d && is_logarithm).then(|| {
+    // `\Delta^2 y_0`: the second difference, or the Laplacian of the Laplacian.
+    let is_second = matches!(&before.layout, Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 }
+        if nucleus.layout == Layout::Command("\\Delta".to_owned()) && whole_number(sup).is_some());
+    let is_operation = is_second && names::printed(item, None).is_some();
+    (is_mark && is_formula || is_d && is_logarithm || is_operation).then(|| {
         Fault::ambiguous(before.span.to(item.span), "Δ, δ or d may mean the change of what follows, or be a factor")
             .help("put parentheses around what changes, or write \\cdot for a product")
     })
