@@ -82,3 +82,13 @@ fn what_says_of_what_set_something_is_may_be_a_condition() {
     ]);
     are_refused(&["X \\mid z = k, w = j \\sim N(a)"]);
 }
+
+#[test]
+fn a_set_is_not_its_element() {
+    are_read(&[
+        ("A = \\{ x_i \\}", "A = {x_i}"),
+        ("B = \\{ |n\\rangle \\}", "B = {|n⟩}"),
+        ("a = \\{ b + c \\} d", "a = (b + c)·d"),
+    ]);
+    are_refused(&["A = \\{ x_i"]);
+}

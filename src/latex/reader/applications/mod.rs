@@ -80,7 +80,11 @@ impl Reader<'_> {
                         && (sup.is_none() || sup.is_some_and(is_minus_one) && self.is_transform(id, next))
                         && self.is_applied(id, next) =>
                 {
-                    let argument = self.item(next)?;
+                    // The brackets are those of the template.
+                    let argument = match &next.layout {
+                        Layout::Fence(Delimiter::Square | Delimiter::Curly, inside) => self.sum(inside, next.span)?,
+                        _ => self.item(next)?,
+                    };
                     *cursor += 1;
                     let whole = span.to(argument.span);
                     let template = match &next.layout {

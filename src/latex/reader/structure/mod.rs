@@ -41,6 +41,7 @@ mod repeated;
 mod scripts;
 
 pub(in super::super) use acting::note_acting;
+pub(super) use brackets::is_alone_in_brackets;
 pub(in super::super) use evidence::{is_function_letter, note};
 pub(in super::super) use extrema::is_extremum;
 pub(super) use followers::is_open_decimal;
