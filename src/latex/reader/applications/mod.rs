@@ -86,7 +86,7 @@ impl Reader<'_> {
                         _ => self.item(next)?,
                     };
                     *cursor += 1;
-                    let whole = span.to(argument.span);
+                    let whole = span.to(next.span);
                     let template = match &next.layout {
                         Layout::Fence(Delimiter::Curly, _) if sup.is_some() => "#^{-1}\\{#\\}",
                         Layout::Fence(_, _) if sup.is_some() => "#^{-1}[#]",
