@@ -161,7 +161,7 @@ fn alphabet(command: &str, inner: &str) -> Option<char> {
 }
 
 /// The commands that print one character, without the backslash.
-const LETTERS: [(&str, char); 132] = [
+const LETTERS: [(&str, char); 134] = [
     ("sum", 'Σ'),
     ("prod", 'Π'),
     ("int", '∫'),
@@ -242,6 +242,8 @@ const LETTERS: [(&str, char); 132] = [
     ("geq", '≥'),
     ("times", '×'),
     ("rightarrow", '→'),
+    ("longrightarrow", '⟶'),
+    ("longmapsto", '⟼'),
     ("longleftarrow", '⟵'),
     ("leftarrow", '←'),
     ("leftrightarrow", '↔'),

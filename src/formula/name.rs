@@ -157,6 +157,8 @@ pub struct Inferred {
     pub imaginary_factor: bool,
     /// Whether i is an index somewhere in the display, and nothing shows that it is √−1.
     pub i_is_index: bool,
+    /// Whether e is Euler's number, since a side of an equation has nothing but numbers and its powers.
+    pub e_is_number: bool,
     /// Whether e is a charge: it stands beside ħ, ε₀ or c, and never has an exponent of letters.
     pub charge: bool,
     /// Whether states of quantum mechanics stand in the display, beside which i is √−1.

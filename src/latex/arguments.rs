@@ -6,6 +6,7 @@ use crate::formula::units;
 use super::layout::{Delimiter, Item, Layout, contents, latex};
 use super::names;
 use super::reader::items::{differential, whole_number};
+use super::rows::relation;
 
 /// Whether a number above δ is that of the dimensions, `\delta^3`, `\delta^{(3)}`.
 pub(super) fn is_dimension(sup: &Item) -> bool {
@@ -93,7 +94,13 @@ pub(super) fn trimmed(items: &[Item]) -> &[Item] {
 /// Whether items are the number of a step: `n`, `n+1`, `0`.
 pub(super) fn is_step(items: &[Item]) -> bool {
     let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
-    let is_counter = |item: &Item| matches!(item.layout, Layout::Letter('n' | 'k' | 'm' | 'i' | 'j' | 't'));
+    let is_counter = |item: &Item| {
+        let letter = match &item.layout {
+            Layout::Scripts { nucleus, sub: Some(sub), sup: None, primes: 0 } if whole_number(sub).is_some() => nucleus,
+            _ => item,
+        };
+        matches!(letter.layout, Layout::Letter('n' | 'k' | 'm' | 'i' | 'j' | 't'))
+    };
     let is_number = |item: &Item| whole_number(item).is_some();
     match solid.as_slice() {
         [only] => is_counter(only) || is_number(only),
@@ -102,6 +109,16 @@ pub(super) fn is_step(items: &[Item]) -> bool {
         }
         _ => false,
     }
+}
+
+/// Whether a name stands in its own parenthesis as a letter without an argument, `J(J + 1)`, `v(v)^T`: nothing is a function of itself.
+pub(super) fn names_itself(inside: &[Item], name: &Name) -> bool {
+    let is_it = |at: usize| {
+        let is_name = names::printed(&inside[at], None).is_some_and(|found| found.sup.is_none() && found.name == *name);
+        is_name && inside.get(at + 1).and_then(fence).is_none()
+    };
+    let is_list = inside.iter().any(|item| is_comma(item) || is_given(item) || relation(item).is_some());
+    name.primes == 0 && !is_list && (0..inside.len()).any(is_it)
 }
 
 /// Whether a letter stands above that is an index rather than a power.

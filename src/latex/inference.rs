@@ -20,11 +20,12 @@ use crate::formula::text;
 
 use super::arguments::{
     distribution, fence, has_dagger, is_comma, is_dimension, is_given, is_letter, is_step, is_unit_in_brackets,
-    is_zero, item_has_comma, starts_derivative, trimmed,
+    is_zero, item_has_comma, names_itself, starts_derivative, trimmed,
 };
 use super::layout::{Delimiter, Item, Layout, contents};
 use super::names;
 use super::primed_names;
+use super::reader::algebra::evidence;
 use super::reader::items::{differential, is_integral, is_minus_one, is_transpose, whole_number};
 use super::reader::structure;
 use super::reader::undeclared::{coefficient_d, uses, vectors};
@@ -82,7 +83,8 @@ pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
         symbols.inferred.said.push("δ before a letter is a variation".to_owned());
         symbols.inferred.variations = true;
     }
-    symbols.inferred.matrices.extend(matrices);
+    let crossed = evidence::crossed(items);
+    symbols.inferred.matrices.extend(matrices.into_iter().filter(|name| !crossed.contains(name)));
     symbols.inferred.matrices.extend(vectors::matrices(items));
     if is_abstract {
         structure::note(items, &mut symbols.inferred);
@@ -330,8 +332,8 @@ impl Evidence {
         if is_acceleration || is_tuple || is_of_states {
             return;
         }
-        // `\Gamma(a^\dagger b + b^\dagger a)`
-        if has_dagger(inside) {
+        // `\Gamma(a^\dagger b + b^\dagger a)`, `J(J + 1)`
+        if has_dagger(inside) || names_itself(inside, &name) {
             return;
         }
         // `\mathbf{x}^T (A) \mathbf{x}` is a product.
@@ -398,7 +400,8 @@ impl Evidence {
                 let letter = name.base.trim_start_matches('\\');
                 let is_greek = letter.len() < name.base.len() && letter.starts_with(|c: char| c.is_uppercase());
                 // `x[n+1] = x[n]`, `x[0]`: a signal at a step. `\lambda[z] = …`: what is a whole side is no product.
-                let is_step = matches!(arguments.as_slice(), [only] if is_step(trimmed(only)));
+                let are_steps = arguments.iter().all(|part| is_step(trimmed(part)));
+                let is_step = are_steps && arguments.len() == 1;
                 // One number in brackets may be a factor; of one name, two numbers are steps.
                 let is_number = matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [only] if whole_number(only).is_some()));
                 if is_number && !self.numbered.contains(&name) {
@@ -411,6 +414,8 @@ impl Evidence {
                 }
                 // A commutator has two parts.
                 is_small && is_step
+                    // `r[m, n]`: numbers of steps have no commutator.
+                    || are_steps && arguments.len() > 1 && name.base != "i"
                     || is_side && arguments.len() == 1 && plain.is_some()
                     || arguments.len() != 2
                         && plain.is_some()
@@ -457,7 +462,10 @@ impl Evidence {
         {
             return Some(name.clone());
         }
-        let found = names::printed(only, None).filter(|found| found.sup.is_none() && follows)?;
+        // `R(x^*)` is the value at the place x*.
+        let is_star = |sup: &Item| matches!(contents(sup), [Item { layout: Layout::Other('*'), .. }]);
+        let is_name = |sup: Option<&Item>| sup.is_none_or(|sup| self.is_abstract && is_star(sup));
+        let found = names::printed(only, None).filter(|found| is_name(found.sup) && follows)?;
         names::with_dots(&found.name, found.dots).map(|name| name.to_string())
     }
 

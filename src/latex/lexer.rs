@@ -55,7 +55,7 @@ pub enum Space {
 }
 
 /// Commands without meaning: style, sizes of delimiters, line breaking hints.
-const IGNORED: [&str; 31] = [
+const IGNORED: [&str; 30] = [
     "displaystyle",
     "textstyle",
     "scriptstyle",
@@ -84,7 +84,6 @@ const IGNORED: [&str; 31] = [
     "mathstrut",
     "relax",
     "normalsize",
-    "middle",
     "mathop",
     "mathrel",
 ];
@@ -121,6 +120,15 @@ pub fn tokens(text: &str) -> Vec<Token> {
                         "quad" | "qquad" => TokenKind::Space(Space::Wide),
                         "thinspace" | "enspace" | "space" => thin(&tokens),
                         "negthinspace" => continue,
+                        // `\middle|` divides what stands in the brackets around it, and opens nothing.
+                        "middle" => {
+                            while chars.next_if(|(_, c)| c.is_whitespace()).is_some() {}
+                            match chars.next_if(|(_, c)| *c == '|') {
+                                Some((at, bar)) => end = at + bar.len_utf8(),
+                                None => continue,
+                            }
+                            TokenKind::Command("\\mid".to_owned())
+                        }
                         "cr" | "newline" => TokenKind::Row,
                         name if IGNORED.contains(&name) => continue,
                         name => TokenKind::Command(format!("\\{}", spelling(name))),
@@ -195,6 +203,7 @@ fn spelling(name: &str) -> &str {
         "implies" | "Longrightarrow" => "Rightarrow",
         "iff" | "Longleftrightarrow" => "Leftrightarrow",
         "to" => "rightarrow",
+        "gets" => "leftarrow",
         "dag" => "dagger",
         "ddag" => "ddagger",
         "overrightarrow" => "vec",

@@ -115,11 +115,13 @@ fn one(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
     }
 }
 
-/// Rewrites `\arg\min` and `\arg\max` into one name. Returns the position of what follows.
+/// Rewrites `\arg\min`, `\arg\max` and their kin into one name. Returns the position of what follows.
 fn argument_of_an_extremum(tokens: &[Token], at: usize, into: &mut Vec<Token>) -> usize {
     let spaces = tokens[at + 1..].iter().take_while(|token| token.kind == TokenKind::Space(Space::Thin)).count();
     let extremum = tokens.get(at + 1 + spaces).and_then(|token| match &token.kind {
-        TokenKind::Command(name) if name == "\\min" || name == "\\max" => Some((name, token.span)),
+        TokenKind::Command(name) if ["\\min", "\\max", "\\inf", "\\sup"].contains(&name.as_str()) => {
+            Some((name, token.span))
+        }
         _ => None,
     });
     let Some((name, end)) = extremum else {
@@ -172,6 +174,13 @@ fn stacked(
     {
         into.push(Token { kind: TokenKind::Command(accent.to_owned()), span: token.span });
         return end + 1;
+    }
+    // `\stackrel{\mathrm{def}}=`
+    if let Some((_, end)) = label
+        && let Some(sign) = tokens.get(end + 1..end + 2).filter(|sign| is_relation(sign))
+    {
+        into.extend_from_slice(sign);
+        return end + 2;
     }
     let relation = label.and_then(|(_, end)| argument(end + 1));
     match relation.filter(|(open, end)| is_relation(&tokens[open + 1..*end])) {

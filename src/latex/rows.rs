@@ -22,6 +22,8 @@ pub(super) struct Row<'a> {
     pub is_indented: bool,
     /// Whether the row before ends with a comma or a point.
     pub follows_stop: bool,
+    /// Whether it is an equation of its own behind a brace.
+    pub is_of_a_system: bool,
 }
 
 /// The rows of a display, or of the `aligned` or `split` environment that is the whole display.
@@ -47,6 +49,11 @@ pub(super) fn rows(items: &[Item], is_abstract: bool) -> Vec<Row<'_>> {
             .flat_map(|row| if is_abstract { flattened(row) } else { vec![cells_of(row)] })
             .collect(),
     };
+    let is_of_a_system = items.iter().any(|item| {
+        let is_other = |item: &Item| matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ','));
+        matches!(&item.layout, Layout::Environment(name, rows) if is_system(name, rows))
+            && items.iter().all(|other| std::ptr::eq(other, item) || is_other(other))
+    });
     let mut rows: Vec<Row<'_>> = Vec::with_capacity(cells.len());
     for cells in &cells {
         let is_aligned = cells.len() > 1 && !is_blank(&cells[0]);
@@ -56,7 +63,7 @@ pub(super) fn rows(items: &[Item], is_abstract: bool) -> Vec<Row<'_>> {
             last.is_some_and(|item| matches!(item.layout, Layout::Other(',' | '.' | ';')))
         };
         let follows_stop = rows.last().is_some_and(stop);
-        rows.push(Row { items: side_by_side(cells), is_aligned, is_indented, follows_stop });
+        rows.push(Row { items: side_by_side(cells), is_aligned, is_indented, follows_stop, is_of_a_system });
     }
     rows
 }

@@ -19,8 +19,8 @@ use super::names;
 use super::pieces::{Piece, Printed, pieces, without_ranges};
 use super::reader::Reader;
 use super::reader::algebra::evidence;
-use super::reader::structure::{note_levels, note_possible_indices};
-use super::reader::undeclared::{note_marks, unclear_name, uses, vectors};
+use super::reader::structure::{fault_in, note_levels, note_possible_indices};
+use super::reader::undeclared::{note_marks, unclear_derivative, unclear_name, uses, vectors};
 
 /// The result of reading a display.
 #[derive(Clone, Debug, Default)]
@@ -67,7 +67,8 @@ fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
         symbols.inferred.active = true;
         infer(&items, symbols);
         let unclear = unclear_name(&items).or_else(|| uses::of(&items).unclear());
-        if let Some(fault) = unclear.or_else(|| vectors::unclear_product(&items)) {
+        let unclear = unclear.or_else(|| vectors::unclear_product(&items)).or_else(|| unclear_derivative(&items));
+        if let Some(fault) = unclear {
             reading.statements.push(Err(fault));
             return reading;
         }
@@ -216,7 +217,9 @@ impl Piece<'_> {
                 Some(_) => None,
                 None => {
                     let place = relation.map_or(span, |(_, span)| span);
-                    let is_left_out = items.is_empty() && relation.is_none() == (at == 0);
+                    // `= x` and `x =` leave a side out; between two relations a formula is missing.
+                    let is_end = at == 0 || at + 1 == links.len();
+                    let is_left_out = items.is_empty() && is_end && relation.is_none() == (at == 0);
                     Some(read_member(items, place, is_left_out, &mut Reader::new(symbols, branch))?)
                 }
             });
@@ -228,6 +231,11 @@ impl Piece<'_> {
         compare_members(&members, &types, &relations, symbols)?;
         reject_free_pair_sums(&members, &types, symbols)?;
         note_complex(&members, &types, symbols);
+        // What cannot be read is not left out of what is shown as it is printed.
+        let lost = || self.links.iter().flat_map(|link| &link.items).find_map(|item| fault_in(item));
+        if let Some(fault) = symbols.is_abstract().then(lost).flatten() {
+            return Err(fault);
+        }
         let statement =
             Statement { members, relations, conditions, constant: self.constant, branch, row: self.row, span };
         Ok((statement, news))
@@ -254,7 +262,7 @@ impl Piece<'_> {
             match read {
                 Ok(found) => conditions.extend(found),
                 // What cannot be printed is not left out.
-                Err(fault) if items.iter().any(has_fault) => return Err(fault),
+                Err(fault) if items.iter().any(|item| fault_in(item).is_some()) => return Err(fault),
                 Err(_) if symbols.is_abstract() => {
                     conditions.push(Reader::new(symbols, branch).unread_condition(&items, span))
                 }
@@ -263,11 +271,6 @@ impl Piece<'_> {
         }
         Ok(conditions)
     }
-}
-
-/// Whether a fault of the layout stands anywhere in an item.
-fn has_fault(item: &Item) -> bool {
-    matches!(item.layout, Layout::Fault(_)) || parts(item).into_iter().flatten().any(has_fault)
 }
 
 /// A member with its type; one that is left out where only the structure is read.

@@ -11,6 +11,8 @@ mod apart;
 mod derivatives;
 #[path = "reading/derived.rs"]
 mod derived;
+#[path = "reading/fields.rs"]
+mod fields;
 #[path = "reading/inferred.rs"]
 mod inferred;
 #[path = "reading/introductions.rs"]
@@ -31,6 +33,8 @@ mod printed_forms;
 mod public_notes;
 #[path = "reading/quantities.rs"]
 mod quantities;
+#[path = "reading/reaches.rs"]
+mod reaches;
 #[path = "reading/roles.rs"]
 mod roles;
 #[path = "reading/scopes.rs"]

@@ -66,6 +66,7 @@ pub(super) fn is_lone_bar(tokens: &[Token]) -> bool {
                 None => return matches!(token.kind, TokenKind::Other(')') | TokenKind::Close),
             },
             TokenKind::Other('|') if depth == 0 => return false,
+            TokenKind::Command(name) if depth == 0 && name == "\\vert" => return false,
             // `(\hat a|0\rangle = 0)`
             TokenKind::Command(name) if depth == 0 && name == "\\rangle" => return false,
             _ => {}

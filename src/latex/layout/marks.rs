@@ -79,6 +79,15 @@ pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
                 at += 1;
                 continue;
             }
+            // `\lvert\psi\rangle`, `\langle\psi\rvert`: the bars of states.
+            TokenKind::Command(name)
+                if name == "\\lvert" && opens_a_ket(&tokens[at + 1..])
+                    || name == "\\rvert" && open_bars == 0 && is_in_angles(&found) =>
+            {
+                found.push(Token { kind: TokenKind::Other('|'), span });
+                at += 1;
+                continue;
+            }
             TokenKind::Command(name) if name == "\\lvert" => open_bars += 1,
             // `\biggr\rvert_{x=a}`: nothing opens it.
             TokenKind::Command(name) if name == "\\rvert" => match open_bars.checked_sub(1) {
@@ -104,6 +113,21 @@ pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
         at += 1;
     }
     found
+}
+
+/// Whether a bracket of a state is the next delimiter that closes, and no bar.
+fn opens_a_ket(tokens: &[Token]) -> bool {
+    let is_mark = |token: &&Token| {
+        token.kind == TokenKind::Other('|')
+            || ["\\lvert", "\\rvert", "\\vert", "\\langle", "\\rangle"].iter().any(|name| is(Some(*token), name))
+    };
+    tokens.iter().find(is_mark).is_some_and(|token| is(Some(token), "\\rangle"))
+}
+
+/// Whether an angle bracket is open.
+fn is_in_angles(tokens: &[Token]) -> bool {
+    let is_angle = |token: &&Token| is(Some(*token), "\\langle") || is(Some(*token), "\\rangle");
+    tokens.iter().rev().find(is_angle).is_some_and(|token| is(Some(token), "\\langle"))
 }
 
 /// Whether two bars touch.

@@ -396,6 +396,7 @@ impl<'a> Parser<'a> {
             "\\begin" => return self.environment(span),
             "\\{" => return self.fence(Delimiter::Curly, span),
             "\\vert" | "\\mid" if self.angles > 0 => Layout::Other('|'),
+            "\\vert" if is_lone_bar(&self.tokens[self.at..]) => Layout::Other('|'),
             "\\lvert" => return self.fence(Delimiter::Bar, span),
             "\\vert" => return self.fence(Delimiter::PlainBar, span),
             "\\|" | "\\lVert" | "\\Vert" => return self.fence(Delimiter::DoubleBar, span),

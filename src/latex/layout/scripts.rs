@@ -132,8 +132,10 @@ impl Parser<'_> {
 
     /// Whether `\underset{x}{\min}` follows, up to its operator.
     pub(super) fn is_underset_operator(&mut self) -> bool {
-        const WORDS: [&str; 10] =
-            ["min", "max", "sup", "inf", "argmin", "argmax", "minimize", "maximize", "minimum", "maximum"];
+        const WORDS: [&str; 12] = [
+            "min", "max", "sup", "inf", "argmin", "argmax", "arginf", "argsup", "minimize", "maximize", "minimum",
+            "maximum",
+        ];
         let at = self.at;
         self.argument(Span::at(self.previous_end()));
         let operator = self.argument(Span::at(self.previous_end()));

@@ -20,6 +20,7 @@ pub(super) fn continues(row: &Row<'_>, before: Option<&Piece<'_>>) -> bool {
     let adds = first.is_some_and(|item| {
         item.layout != Layout::Other('-') && is_operator(item) || is_sign(item) && (!has_relation || row.is_indented)
     });
+    let adds = adds && !(row.is_of_a_system && has_relation);
     before.constant.is_none() && (open || adds)
 }
 
@@ -33,7 +34,7 @@ pub(super) fn unclear_continuation(
     let first = row.items.iter().find(is_significant).copied()?;
     let has_relation = row.items.iter().any(|item| relation(item).is_some());
     let starts_with_relation = relation(first).is_some();
-    let is_own = is_zero(before) || before.row > 1 && starts_with_minus(before);
+    let is_own = row.is_of_a_system || is_zero(before) || before.row > 1 && starts_with_minus(before);
     if first.layout == Layout::Other('-') && has_relation && !row.is_indented && !row.is_aligned && !is_own {
         return Some(
             Fault::ambiguous(

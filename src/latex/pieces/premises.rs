@@ -1,7 +1,7 @@
 //! The condition before an arrow: `x > 0 \Rightarrow |x| = x` says nothing about x, but what holds where x > 0.
 //!
 //! So does `\text{if } x = 0 \text{ then } y = 0`. In a derivation what stands before the arrow holds too. It is a condition where it is a comparison
-//! and what follows is none, or where "for all" stands after what follows.
+//! or says of what set something is and what follows is no comparison, or where "for all" stands after what follows.
 
 use crate::formula::tree::Relation;
 
@@ -27,7 +27,14 @@ pub(super) fn divided<'a>(items: &[&'a Item]) -> (Vec<&'a Item>, Vec<&'a Item>) 
     let (Some((at, _)), None) = (arrows.next(), arrows.next()) else { return whole() };
     let (before, after) = (&items[..at], &items[at + 1..]);
     let relations: Vec<Relation> = before.iter().filter_map(|item| relation(item)).collect();
-    let [only] = relations.as_slice() else { return whole() };
+    // `x \in A \Rightarrow f(x) = 0`
+    let is_sign = |item: &&&Item| matches!(&item.layout, Layout::Command(name) if ["\\in", "\\notin", "\\subset"].contains(&name.as_str()));
+    let is_membership = relations.is_empty() && before.iter().filter(is_sign).count() == 1;
+    let only = match relations.as_slice() {
+        [only] => *only,
+        _ if is_membership => Relation::NotEqual,
+        _ => return whole(),
+    };
     let compares = |relation: &Relation| {
         matches!(
             relation,
@@ -35,7 +42,8 @@ pub(super) fn divided<'a>(items: &[&'a Item]) -> (Vec<&'a Item>, Vec<&'a Item>) 
         )
     };
     // Of one inequality another one is a consequence: N \le \mu F \Rightarrow \mu \ge N/F.
-    let is_comparison = compares(only) && !after.iter().filter_map(|item| relation(item)).any(|other| compares(&other));
+    let is_comparison =
+        compares(&only) && !after.iter().filter_map(|item| relation(item)).any(|other| compares(&other));
     let is_for_all = after.iter().any(|item| matches!(&item.layout, Layout::Command(name) if name == "\\forall"));
     let is_whole = !before.iter().any(|item| separates(item) && is_significant(&item));
     let starts_with_a_side = before.iter().find(is_significant).is_some_and(|first| relation(first).is_none());

@@ -4,7 +4,7 @@ use crate::formula::symbols::Name;
 use crate::formula::tree::Relation;
 use crate::source::Fault;
 
-use super::super::layout::{Item, Layout, contents, parts};
+use super::super::layout::{Delimiter, Item, Layout, contents, parts, typed};
 use super::super::names;
 use super::piece::{Link, Piece};
 
@@ -18,6 +18,9 @@ pub(super) fn unclear_member(pieces: &[Piece<'_>], at: usize) -> Option<Fault> {
     }
     if piece.links.len() < 2 {
         return None;
+    }
+    if let Some(fault) = condition(piece).or_else(|| name_of_a_list(piece)) {
+        return Some(fault);
     }
     if let Some(colon) = piece.links.iter().filter_map(last).find(|item| item.layout == Layout::Other(':')) {
         let what = "a colon after a formula may end the sentence, or put operators in normal order";
@@ -65,6 +68,35 @@ fn mean_value(piece: &Piece<'_>) -> Option<Fault> {
     (less < greater && (opens || is_empty(greater))).then(|| {
         Fault::ambiguous(piece.span(), "< and > may be brackets or relations")
             .help("write \\langle and \\rangle for the brackets of a mean value")
+    })
+}
+
+/// The fault of `X \mid z = k \sim N`: what stands behind the bar may be conditions, and the relation one of theirs.
+fn condition(piece: &Piece<'_>) -> Option<Fault> {
+    let is_bar = |item: &&&Item| matches!(&item.layout, Layout::Command(name) if name == "\\mid");
+    let bar = piece.links.iter().flat_map(|link| &link.items).find(is_bar)?;
+    let what = "the bar may begin conditions, or say that one number divides another";
+    Some(Fault::ambiguous(bar.span, what).help("put the conditions in parentheses, as in P(X \\mid z)"))
+}
+
+/// The fault of `lsp = (n, F, G)`: a product equals no list, so that the letters are one name.
+fn name_of_a_list(piece: &Piece<'_>) -> Option<Fault> {
+    let solid =
+        |link: &Link<'_>| -> Vec<Item> { link.items.iter().filter(is_solid).map(|item| (*item).clone()).collect() };
+    let has_list = piece.links.iter().any(|link| {
+        matches!(solid(link).first().map(|first| &first.layout), Some(Layout::Fence(Delimiter::Round, inside))
+            if inside.iter().any(|item| item.layout == Layout::Other(',')))
+    });
+    let name = piece
+        .links
+        .iter()
+        .map(solid)
+        .find(|items| items.len() > 2 && items.iter().all(|item| matches!(item.layout, Layout::Letter(_))))?;
+    let span = name.first()?.span.to(name.last()?.span);
+    has_list.then(|| {
+        let word = typed(&name);
+        Fault::ambiguous(span, format!("{word} may be a name or a product"))
+            .help(format!("write \\text{{{word}}}, or a letter with a subscript"))
     })
 }
 

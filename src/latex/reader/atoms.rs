@@ -216,7 +216,13 @@ impl Reader<'_> {
 
     /// `(a + b)^2`: a formula that is no name, with a superscript.
     fn with_superscript(&mut self, nucleus: &Item, sup: &Item, span: Span) -> Read<Expr> {
-        let base = self.item(nucleus)?;
+        let base = match &nucleus.layout {
+            // `[a\,b]^2`: no row has a power.
+            Layout::Fence(Delimiter::Square, inside) if are_entries(inside) && whole_number(sup).is_some() => {
+                self.sum(inside, nucleus.span)?
+            }
+            _ => self.item(nucleus)?,
+        };
         if matches!(nucleus.layout, Layout::Group(_)) && matches!(base.node, Node::Sum(_) | Node::Product(_)) {
             return Err(Fault::ambiguous(span, "braces do not print, so {a b}^2 may be (a b)^2 or a b^2")
                 .help("use parentheses"));
@@ -248,17 +254,14 @@ impl Reader<'_> {
         {
             return self.matrix(name, rows, span);
         }
-        // Nobody puts one letter in square brackets for a product: it is a concentration, a unit or a matrix.
-        if delimiter == Delimiter::Square
+        // Nobody puts one letter in such brackets for a product: it is a concentration, a unit or a matrix, or a set.
+        if matches!(delimiter, Delimiter::Square | Delimiter::Curly)
             && self.symbols.may_be_abstract
-            && matches!(items, [only] if names::printed(only, None).is_some_and(|found| found.sup.is_none()))
+            && matches!(items, [only] if super::structure::is_alone_in_brackets(only))
         {
             return match self.is_abstract() {
-                true => {
-                    let inner = self.item(&items[0])?;
-                    Ok(self.template("[#]", vec![inner], span))
-                }
-                false => Err(Fault::unsupported(span, "a letter alone in square brackets is not supported")
+                true => self.shown_in_brackets(delimiter, &items[0], span),
+                false => Err(Fault::unsupported(span, "a letter alone in square or curly brackets is not supported")
                     .help("for a product, write parentheses")),
             };
         }

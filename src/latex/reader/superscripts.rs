@@ -140,6 +140,15 @@ impl Reader<'_> {
             return Err(Fault::ambiguous(span, "this superscript may be the inverse of a transpose, or a power")
                 .help("for a transpose, declare the matrix or write it out"));
         }
+        // `\theta^{M[u, x]}`: a list is no exponent.
+        let has_list = |item: &&&Item| matches!(&item.layout, Layout::Fence(Delimiter::Square, inside) if inside.iter().any(|item| item.layout == Layout::Other(',')));
+        if let Some(list) = marks.iter().find(has_list).filter(|_| self.symbols.open) {
+            return Err(Fault::ambiguous(
+                list.span,
+                "brackets with a comma in an exponent may hold arguments or a commutator",
+            )
+            .help("for arguments, write parentheses, as in M(u, x)"));
+        }
         if self.is_level(self.name_of(base).0, sup) {
             return Err(unclear(span, sup, "the number of a step or a power")
                 .help("write the number of the step as a subscript, u_n; write a power as (u)^n"));

@@ -12,6 +12,7 @@ use super::items::{
     joint,
 };
 use super::state::{Read, Reader};
+use super::undeclared::follows_a_sum;
 use super::words::{are_no_words, run_of_letters};
 
 impl Reader<'_> {
@@ -121,6 +122,10 @@ impl Reader<'_> {
         self.is_no_open_integrand(items)?;
         let mut after_operator = false;
         for (at, item) in items.iter().enumerate() {
+            // `\sum_x -p \log p`: the sign is that of what is summed.
+            if self.symbols.infers() && follows_a_sum(items, at) {
+                continue;
+            }
             if self.sign(item)?.is_some() {
                 if after_operator {
                     return Err(Fault::new(item.span, "a sign directly follows the sign of a product or quotient")

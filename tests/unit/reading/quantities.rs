@@ -108,3 +108,30 @@ fn a_macro_that_hides_the_spaces_of_a_unit_is_asked_for_them() {
     assert_eq!(read(r"3\speed"), "3·km/h");
     assert_eq!(read(r"3\of{m s^{-1}}"), "3·m/s");
 }
+
+#[test]
+fn one_upright_letter_that_touches_a_power_of_ten_is_a_unit() {
+    assert_eq!(read(r"3\times10^{8}\mathrm{m}"), "3·10^8·m");
+    assert_eq!(read(r"1.38\times10^{-23}\mathrm{J/K}"), "1.38·10^(−23)·J/K");
+    assert!(read(r"2\mathrm{K}").starts_with("! "), "{}", read(r"2\mathrm{K}"));
+}
+
+#[test]
+fn beside_numbers_e_is_eulers_number() {
+    for (latex, words) in [
+        (r"x = 1 - e^{-2} \approx 0.86", "x = 1 − e^(−2) ≈ 0.86"),
+        (r"p = e^{-8/5} \approx 0.2019", "p = e^(−8/5) ≈ 0.2019"),
+        (r"p = e^{-2.5} = 0.082", "p = e^(−2.5) = 0.082"),
+    ] {
+        assert_eq!(read(latex), words, "{latex}");
+    }
+    for latex in [r"x = e^2 + 1", r"x = e^{1/2}", r"h = \ln(2\pi e)", r"a = (-j)^n"] {
+        assert!(read(latex).starts_with("! "), "{latex}: {}", read(latex));
+    }
+}
+
+#[test]
+fn decimals_that_go_on_are_no_factor() {
+    assert_eq!(super::statements_of(r"x = 3.14\ldots").as_deref(), Some("x = 3.14…"));
+    assert!(read(r"x = 3.14\ldots").starts_with("! "));
+}

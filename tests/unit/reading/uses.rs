@@ -202,3 +202,54 @@ fn marks_that_print_no_other_letter_are_read() {
     ]);
     are_refused(&["v = L a + R i"]);
 }
+
+#[test]
+fn a_quotient_of_sides_with_a_common_point_is_no_quotient_of_products() {
+    are_refused(&["\\frac{AB}{AC} = \\frac{AD}{AE}", "\\sqrt n = \\frac{CP}{CH}"]);
+    are_read(&[("\\frac{PV}{RT} = n", "(P·V)/(R·T) = n"), ("k = \\frac{A\\,B}{A\\,C}", "k = (A·B)/(A·C)")]);
+}
+
+#[test]
+fn nothing_is_a_function_of_itself() {
+    are_read(&[("E = B J(J+1)", "E = B·J·(J + 1)"), ("P = v(v)", "P = v·v"), ("f(f(x)) = x", "f(f(x)) = x")]);
+    are_refused(&["E = B J(K+1)"]);
+}
+
+#[test]
+fn a_power_may_show_that_the_parenthesis_is_a_factor() {
+    are_read(&[
+        ("f = \\sum_k f_k (t - t_0)^k", "f = Σ_{k}(f_k·(t − t_0)^(k))"),
+        ("P = (I - KH) P (I - KH)^T", "P = (I − K·H)·P·(I − K·H)^{T}"),
+        ("M = [a\\,b]^2", "M = (a·b)^2"),
+    ]);
+    are_refused(&["P = F(A - B)^T", "M = [a\\,b]"]);
+}
+
+#[test]
+fn a_letter_above_a_number_is_a_power_above_a_name_too() {
+    are_read(&[("y = 6^{-a} b_n^a", "y = 6^(−a)·b_n^(a)")]);
+    are_refused(&["y = b_n^a", "y = 90^o"]);
+}
+
+#[test]
+fn numbers_of_steps_in_brackets_are_arguments() {
+    are_read(&[
+        ("r_x[n_1,n_2] = \\delta[n_1-n_2]", "r_x(n_1, n_2) = δ(n_1 − n_2)"),
+        ("[A, BC] = [A,B]C + B[A,C]", "[A, B·C] = [A, B]·C + B·[A, C]"),
+        ("\\sigma_{A^+, B}(E) = 2", "σ_{A^{+},B}(E) = 2"),
+        ("F : A \\to SO(3)", "F : A → SO(3)"),
+    ]);
+    are_refused(&["\\theta^{M[u,x]} = 1"]);
+}
+
+#[test]
+fn a_symbol_before_a_sum_without_a_place_may_be_a_factor() {
+    are_refused(&["a = 3 \\mathcal{H} (\\delta\\rho + \\delta P)", "a = \\dot\\psi (\\bar\\rho + \\bar P)"]);
+    are_read(&[("a = \\psi(x + h)", "a = ψ(x + h)"), ("a = \\mathcal{L}(x + b)", "a = ℒ(x + b)")]);
+}
+
+#[test]
+fn letters_that_equal_a_list_are_one_name() {
+    are_refused(&["lsp = (n, F, G)"]);
+    are_read(&[("x = (n, F, G)", "x = (n, F, G)"), ("mgh = a", "m·g·h = a")]);
+}

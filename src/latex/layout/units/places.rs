@@ -90,6 +90,12 @@ fn is_quantity(item: &Item) -> bool {
     }
 }
 
+/// `10^{-3}`, behind which an upright letter is no name: `10^{-3}\mathrm{m}`.
+fn is_power_of_ten(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Scripts { nucleus, sub: None, sup: Some(_), primes: 0 }
+        if nucleus.layout == Layout::Number("10".to_owned()))
+}
+
 /// Whether items are numbers and units, joined by signs.
 fn is_closed(items: &[Item]) -> bool {
     let joins = |item: &Item| match &item.layout {
@@ -228,7 +234,8 @@ impl Settler {
         let mut end = from;
         loop {
             let mut at = end + items[end..].iter().take_while(|item| is_thin(item)).count();
-            let is_apart = is_alone || at > end || from > 0 && is_thin(&items[from - 1]);
+            let is_apart =
+                is_alone || at > end || from > 0 && (is_thin(&items[from - 1]) || is_power_of_ten(&items[from - 1]));
             let mut by_slash = false;
             match items.get(at).map(|item| &item.layout) {
                 Some(Layout::Other('/')) => {

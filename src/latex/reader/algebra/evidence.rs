@@ -11,6 +11,7 @@ use super::super::super::layout::{Item, Layout, contents, parts};
 use super::super::super::names::Printed;
 use super::super::super::rows::relation;
 use super::super::items::{is_minus_one, is_transpose};
+use super::super::symbols::e_is_a_number;
 use super::engineering;
 use super::imaginary::{has_imaginary_unit, has_upright, is_evident, is_index};
 use super::matrices::{is_bold, is_break, is_matrix, name_of, operator_word};
@@ -22,12 +23,16 @@ pub fn note(items: &[Item], symbols: &mut Symbols) {
     symbols.imaginary_here = !is_direction && has_imaginary_unit(items);
     symbols.inferred.imaginary_factor = !is_direction && is_evident(items);
     symbols.inferred.i_is_index = !symbols.imaginary_here && is_index(items);
+    symbols.inferred.e_is_number = symbols.open && e_is_a_number(items);
     symbols.imaginary_j_here = engineering::is_imaginary(items) && !symbols.imaginary_here;
     if !symbols.open {
         return;
     }
     let mut found = Vec::new();
     collect(items, &mut found);
+    // `\mathbf{E}\mathbf{E}` beside `\mathbf{E} \times \mathbf{B}` is a product of vectors.
+    let crossed = crossed(items);
+    found.retain(|(name, kind)| *kind != SQUARE || !crossed.contains(&name.base));
     // `e = …` says what e is: no number is defined.
     let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
     if let [first, second, ..] = solid.as_slice()
@@ -41,6 +46,26 @@ pub fn note(items: &[Item], symbols: &mut Symbols) {
             symbols.add(name, kind);
         }
     }
+}
+
+/// The bold letters and those with an arrow beside a ×: vectors.
+pub fn crossed(items: &[Item]) -> Vec<String> {
+    let solid: Vec<&Item> =
+        items.iter().filter(|item| !matches!(item.layout, Layout::Space(_) | Layout::Align)).collect();
+    let vector = |item: &Item| {
+        let found = name_of(item).filter(|found| found.sup.is_none())?;
+        (is_bold(&found.name) || found.name.base.starts_with("\\vec{")).then_some(found.name.base)
+    };
+    let is_cross = |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\times");
+    // In `\omega \times I\omega` a matrix stands behind the ×.
+    let after = |at: usize| {
+        let acts = solid.get(at + 1).is_some_and(|next| vector(next).is_some());
+        solid.get(at).filter(|_| !acts).and_then(|item| vector(item))
+    };
+    let crosses = (1..solid.len()).filter(|at| is_cross(solid[*at]));
+    let mut found: Vec<String> = crosses.flat_map(|at| [vector(solid[at - 1]), after(at + 1)]).flatten().collect();
+    found.extend(items.iter().flat_map(parts).flat_map(crossed));
+    found
 }
 
 /// A matrix of an unknown size.

@@ -3,9 +3,10 @@
 use crate::formula::SymbolId;
 use crate::formula::symbols::{Kind, Name};
 
-use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::arguments::names_itself;
+use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
-use super::super::items::joint;
+use super::super::items::{is_transpose, joint};
 use super::super::state::Reader;
 use super::inside::{has_rate, parenthesis, relation_or_comma};
 
@@ -30,6 +31,30 @@ impl Reader<'_> {
                 }
                 _ => false,
             }
+    }
+
+    /// Whether a parenthesis is a factor by the name in it or by its power: `J(J + 1)`, a power of the letter that a Σ binds, as in
+    /// `f_k (t - t_0)^k`, and a transposed sum that begins with a unit matrix, `P(I - K H)^T`.
+    pub(super) fn is_a_product_by_its_power(&self, id: SymbolId, next: &Item) -> bool {
+        let name = &self.symbols.entry(id).name;
+        let (fence, sup) = match &next.layout {
+            Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => (&**nucleus, Some(&**sup)),
+            _ => (next, None),
+        };
+        let Layout::Fence(Delimiter::Round, inside) = &fence.layout else { return false };
+        let solid: Vec<&Item> = inside.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+        let is_unit = |item: &Item| {
+            names::printed(item, None).is_some_and(|found| {
+                found.sup.is_none() && ["I", "\\mathbf{I}", "\\mathbb{1}"].contains(&found.name.base.as_str())
+            })
+        };
+        let starts_with_unit = matches!(solid.as_slice(), [unit, sign, ..] if is_unit(unit) && self.is_sign(sign));
+        let letter = sup.and_then(|sup| contents(sup).first()).and_then(|first| names::printed(first, None));
+        let is_bound = letter.is_some_and(|found| {
+            let letter = found.name.to_string();
+            found.sup.is_none() && self.bound.contains(&letter) && name.subscript == [letter.as_str()]
+        });
+        names_itself(inside, name) || is_bound && solid.len() > 1 || sup.is_some_and(is_transpose) && starts_with_unit
     }
 
     /// Whether a parenthesis is a factor by what the name is in the display: a matrix, a factor beside rates, or a value at the

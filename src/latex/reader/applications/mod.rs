@@ -80,9 +80,13 @@ impl Reader<'_> {
                         && (sup.is_none() || sup.is_some_and(is_minus_one) && self.is_transform(id, next))
                         && self.is_applied(id, next) =>
                 {
-                    let argument = self.item(next)?;
+                    // The brackets are those of the template.
+                    let argument = match &next.layout {
+                        Layout::Fence(Delimiter::Square | Delimiter::Curly, inside) => self.sum(inside, next.span)?,
+                        _ => self.item(next)?,
+                    };
                     *cursor += 1;
-                    let whole = span.to(argument.span);
+                    let whole = span.to(next.span);
                     let template = match &next.layout {
                         Layout::Fence(Delimiter::Curly, _) if sup.is_some() => "#^{-1}\\{#\\}",
                         Layout::Fence(_, _) if sup.is_some() => "#^{-1}[#]",
@@ -114,6 +118,9 @@ impl Reader<'_> {
         cursor: &mut usize,
     ) -> Read<Option<Expr>> {
         let Some((fence, inside)) = items.get(*cursor).and_then(parenthesis) else { return Ok(None) };
+        if self.symbols.open && self.is_a_product_by_its_power(id, &items[*cursor]) {
+            return Ok(None);
+        }
         if let Some(found) = self.at_an_instant(expr, sup, fence, cursor)? {
             return Ok(Some(found));
         }
@@ -326,7 +333,8 @@ impl Reader<'_> {
         let Some((fence, inside)) = parenthesis(next) else { return Ok(()) };
         let entry = self.symbols.entry(id);
         let name = &entry.name;
-        if self.symbols.open && self.is_a_product_by_its_brackets(id, fence) {
+        let is_product = self.is_a_product_by_its_brackets(id, fence) || self.is_a_product_by_its_power(id, next);
+        if self.symbols.open && is_product {
             return Ok(());
         }
         // ħ is no function.

@@ -2,7 +2,7 @@
 //! tuples, intervals and sets.
 
 use crate::formula::tree::{Expr, Sign};
-use crate::source::Fault;
+use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Delimiter, Item, Layout};
 use super::super::super::names;
@@ -64,6 +64,13 @@ impl Reader<'_> {
         Ok(Some(self.template("[#]", vec![inner], *span)))
     }
 
+    /// A name or a state alone in square or curly brackets, which are shown: `[A]`, `\{x_i\}`.
+    pub(in super::super) fn shown_in_brackets(&mut self, delimiter: Delimiter, only: &Item, span: Span) -> Read<Expr> {
+        let template = if delimiter == Delimiter::Square { "[#]" } else { "\\{#\\}" };
+        let inner = self.item(only)?;
+        Ok(self.template(template, vec![inner], span))
+    }
+
     /// A mean value, or a product of states with what stands between them.
     fn angle(&mut self, inside: &[Item], item: &Item) -> Read<Expr> {
         let parts: Vec<&[Item]> = inside.split(is_bar).collect();
@@ -106,6 +113,12 @@ impl Reader<'_> {
     fn listed(&mut self, inside: &[Item], item: &Item) -> Read<Vec<Expr>> {
         inside.split(is_separator).map(|part| self.sum(part, item.span)).collect()
     }
+}
+
+/// Whether an item is a name without a power, or a state.
+pub(in super::super) fn is_alone_in_brackets(item: &Item) -> bool {
+    names::printed(item, None).is_some_and(|found| found.sup.is_none())
+        || matches!(item.layout, Layout::Fence(Delimiter::Ket, _))
 }
 
 /// A sign of a product of vectors.

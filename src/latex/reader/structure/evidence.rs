@@ -126,6 +126,23 @@ pub(in super::super::super) fn is_function_letter(name: &Name, inside: &[Item]) 
         || is_legendre
         || is_spherical
         || base.starts_with("\\mathcal{");
+    // `\dot\psi(\bar\rho + \bar P)`, `\mathcal{H}(a + b)`: a sum of letters that are no place is a factor as often.
+    let is_symbol = ["\\Phi", "\\Psi", "\\psi", "\\phi", "\\varphi"].contains(&base) || base.starts_with("\\mathcal{");
+    let is_variable = |item: &Item| {
+        matches!(
+            item.layout,
+            Layout::Number(_)
+                | Layout::Fence(..)
+                | Layout::Fraction(..)
+                | Layout::Letter('z' | 's' | 'k' | 'p' | 'n' | 'u')
+        ) || is_place(item)
+            || ["\\theta", "\\omega", "\\xi"]
+                .iter()
+                .any(|sign| names::printed(item, None).is_some_and(|found| found.name.base == *sign))
+    };
+    if is_symbol && base != "\\mathcal{O}" && is_sum && !inside.iter().any(is_variable) {
+        return false;
+    }
     // U_0 is the value of U at a place, and a factor: `U_0(1 - x/a)`, `V_0(x - a)^2`.
     let is_value = name.subscript == ["0"];
     // `hf(1 + z)`: a sum that begins with a number is a factor as often.

@@ -24,8 +24,10 @@ impl Reader<'_> {
 /// `\min_x`, which acts on the whole sum after it.
 pub(in super::super::super) fn is_extremum(item: &Item) -> bool {
     let Layout::Scripts { nucleus, sub: Some(_), sup: None, primes: 0 } = &item.layout else { return false };
-    const WORDS: [&str; 10] =
-        ["min", "max", "sup", "inf", "argmin", "argmax", "minimize", "maximize", "minimum", "maximum"];
+    const WORDS: [&str; 12] = [
+        "min", "max", "sup", "inf", "argmin", "argmax", "arginf", "argsup", "minimize", "maximize", "minimum",
+        "maximum",
+    ];
     let nucleus = match contents(nucleus) {
         [only] => only,
         _ => nucleus,

@@ -7,7 +7,7 @@ use crate::source::{Fault, Span};
 use super::super::super::layout::{Item, Layout, contents, typed};
 use super::super::super::names;
 use super::super::super::rows::relation;
-use super::super::items::{Joint, beside};
+use super::super::items::{Joint, beside, is_any_integral, is_big_product, is_big_sum, is_limit};
 use super::super::state::{Read, Reader};
 use super::printed;
 
@@ -131,10 +131,13 @@ impl Reader<'_> {
     pub(in super::super) fn infix_product(&mut self, items: &[Item], place: Span) -> Read<Option<Expr>> {
         // Between vectors ∧ is their product; between differentials and other letters it is that of forms.
         let has_vectors = items.iter().any(is_vectorial_item);
+        // Σ and its kin reach to the end of the term: the signs behind it are a part of what is summed.
+        let before = items.split(reaches_on).next().unwrap_or(items).as_ptr_range().end;
         let is_own = |item: &Item| {
-            sign(item, &PRODUCTS)
-                || item.layout == Layout::Other(':') && is_between_factors(items)
-                || !has_vectors && sign(item, &["\\wedge"])
+            std::ptr::from_ref(item) < before
+                && (sign(item, &PRODUCTS)
+                    || item.layout == Layout::Other(':') && is_between_factors(items)
+                    || !has_vectors && sign(item, &["\\wedge"]))
         };
         let ends = |at: usize| at == 0 || at + 1 == items.len();
         match items.iter().enumerate().any(|(at, item)| is_own(item) && !ends(at)) {
@@ -211,7 +214,12 @@ impl Reader<'_> {
         for part in items.split(divides) {
             let before =
                 part.first().and_then(|first| items.iter().rev().find(|item| item.span.end <= first.span.start));
-            is_set |= before.is_some_and(|sign| self::sign(sign, &["\\in", "\\notin", "\\subset", "\\subseteq"]));
+            // `F : Q \to SE(3)`
+            let is_map = items.iter().any(|item| item.layout == Layout::Other(':'));
+            is_set |= before.is_some_and(|sign| {
+                self::sign(sign, &["\\in", "\\notin", "\\subset", "\\subseteq"])
+                    || is_map && self::sign(sign, &["\\rightarrow"])
+            });
             let is_blank = part.iter().all(|item| matches!(item.layout, Layout::Space(_)));
             parts.push(match is_blank {
                 true => self.template("", Vec::new(), place),
@@ -283,6 +291,11 @@ pub(in super::super::super) fn states(item: &Item) -> bool {
 fn is_arrow_with_a_condition(item: &Item) -> bool {
     let Layout::Scripts { nucleus, primes: 0, .. } = &item.layout else { return false };
     sign(nucleus, &["\\rightarrow", "\\longrightarrow"])
+}
+
+/// Whether an item acts on the rest of its term: a sum, an integral, a limit.
+fn reaches_on(item: &Item) -> bool {
+    is_any_integral(item) || is_big_sum(item) || is_big_product(item) || is_limit(item)
 }
 
 /// Whether each colon stands between two factors, as in the double contraction `\sigma : \epsilon`.

@@ -10,6 +10,7 @@
 //! | `acting` | letters that are operators or matrices, and no numbers |
 //! | `brackets` | states, mean values, commutators, Poisson brackets, tuples, intervals, sets |
 //! | `scripts` | indices, marks and labels above a symbol |
+//! | `followers` | what follows a factor and belongs to it |
 //! | `operators` | derivatives by anything, ∂_μ and ∇ as operators |
 //! | `indicators` | `\mathbb{1}[x > 0]` |
 //! | `extrema` | `\min_x` and its kin, before a sum |
@@ -29,6 +30,7 @@ mod acting;
 mod brackets;
 mod evidence;
 mod extrema;
+mod followers;
 mod indicators;
 mod indices;
 mod infix;
@@ -39,8 +41,10 @@ mod repeated;
 mod scripts;
 
 pub(in super::super) use acting::note_acting;
+pub(super) use brackets::is_alone_in_brackets;
 pub(in super::super) use evidence::{is_function_letter, note};
 pub(in super::super) use extrema::is_extremum;
+pub(super) use followers::is_open_decimal;
 pub(in super::super) use indices::{note_indices, note_possible_indices};
 pub(in super::super) use infix::{is_prose, states};
 pub(in super::super) use levels::note_levels;
@@ -197,8 +201,8 @@ fn is_derivative(items: &[Item]) -> bool {
     matches!(items, [Item { layout: Layout::Fraction(..), .. }])
 }
 
-/// Why a part of a script cannot be read.
-fn fault_in(item: &Item) -> Option<Fault> {
+/// Why a part of an item cannot be read.
+pub(in super::super) fn fault_in(item: &Item) -> Option<Fault> {
     match &item.layout {
         Layout::Fault(fault) => Some(fault.clone()),
         _ => crate::latex::layout::parts(item).into_iter().flatten().find_map(fault_in),

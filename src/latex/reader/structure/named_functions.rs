@@ -54,14 +54,17 @@ impl Reader<'_> {
             Layout::Command(name) => FUNCTIONS.contains(&name.trim_start_matches('\\')),
             Layout::Text(word) => {
                 let next = items.get(*cursor + 1).map(|next| &next.layout);
-                !is_bare && FUNCTIONS.contains(&word.trim())
+                !is_bare && (FUNCTIONS.contains(&word.trim()) || TRACES.contains(&word.trim()))
                     || !is_prose(word) && matches!(next, Some(Layout::Fence(Delimiter::Round | Delimiter::Square, _)))
             }
             // `\mathbb{E}_\theta[f]`, `\mathbb{P}(A)`: a mean value, a probability.
             Layout::Style(style, inner) if style == "\\mathbb" => {
-                let next = items.get(*cursor + 1).map(|next| &next.layout);
-                ["E", "P", "V"].contains(&printed(contents(inner)).as_str())
-                    && matches!(next, Some(Layout::Fence(Delimiter::Round | Delimiter::Square | Delimiter::Curly, _)))
+                let letter = printed(contents(inner));
+                let has_argument = items.get(*cursor + 1).is_some_and(|next| {
+                    matches!(next.layout, Layout::Fence(Delimiter::Round | Delimiter::Square | Delimiter::Curly, _))
+                });
+                // `\mathbb{E}_x \log f(x)`
+                letter == "E" || ["P", "V"].contains(&letter.as_str()) && has_argument
             }
             Layout::Style(style, inner) if style == "\\mathrm" && contents(inner).iter().all(is_word) => {
                 let word = printed(contents(inner));
@@ -70,6 +73,8 @@ impl Reader<'_> {
                 // `\mathrm{Pr}\,f`: the Prandtl number, where no event stands in parentheses.
                 FUNCTIONS.contains(&word.as_str()) && (word != "Pr" || has_argument)
                     || contents(inner).len() > 1 && has_argument && is_bare
+                    || !is_bare && TRACES.contains(&word.as_str())
+                    || MEANS.contains(&word.as_str()) && is_in_brackets(items.get(*cursor + 1))
             }
             _ => false,
         };
@@ -84,6 +89,16 @@ impl Reader<'_> {
         if let Some(known) = known.filter(|_| is_upright && follows && !is_function) {
             let fault = Fault::unsupported(item.span, format!("the function {word} is not supported"));
             return Err(fault.help(format!("write \\{known} with its argument in parentheses")));
+        }
+        // `\operatorname{E}(a + b)`: a mean value, or a matrix before a factor.
+        if let (true, "E", Some(next)) = (is_bare, word.as_str(), items.get(*cursor + 1))
+            && matches!(&next.layout, Layout::Fence(Delimiter::Round, inside) if inside.len() > 1)
+        {
+            return Err(Fault::ambiguous(
+                item.span.to(next.span),
+                "E before a parenthesis may be a mean value or a factor",
+            )
+            .help("write \\mathbb{E}[x] for the mean value, and \\cdot for a product"));
         }
         if !is_function {
             return Ok(None);
@@ -105,7 +120,33 @@ impl Reader<'_> {
             let holes = vec!["#"; arguments.len()].join(", ");
             return Ok(Some(self.template(&format!("{name}{open}{holes}{close}"), arguments, item.span.to(*span))));
         }
-        let Some(inner) = self.on_the_next(items, cursor)? else {
+        // `\mathbb{E}[X]^2`: the power of the value.
+        if is_in_brackets(items.get(*cursor))
+            && let Some(Item { layout: Layout::Scripts { nucleus: fence, sub: None, sup: Some(sup), primes: 0 }, span }) =
+                items.get(*cursor)
+        {
+            *cursor += 1;
+            let Layout::Fence(_, inside) = &fence.layout else { return Ok(None) };
+            let inner = self.sum(inside, *span)?;
+            let whole = item.span.to(*span);
+            let value = self.template(&format!("{name}[#]"), vec![inner], whole);
+            return self.raised(value, sup, whole).map(Some);
+        }
+        // A mean value and a trace reach to the end of the term.
+        let reaches_on = matches!(&nucleus.layout, Layout::Style(style, _) if style == "\\mathbb")
+            || TRACES.contains(&word.as_str());
+        // `\operatorname{Tr}_B |a\rangle\langle a|`
+        let is_state = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::Ket, _));
+        let rest = *cursor..items.len();
+        let inner = match reaches_on {
+            true if items[rest.clone()].iter().any(is_state) => {
+                *cursor = items.len();
+                Some(self.term(&items[rest])?)
+            }
+            true => self.on_the_rest(items, cursor)?,
+            false => self.on_the_next(items, cursor)?,
+        };
+        let Some(inner) = inner else {
             return Ok(Some(self.template(&name, Vec::new(), item.span)));
         };
         let span = item.span.to(inner.span);
@@ -125,6 +166,20 @@ fn brackets(delimiter: Delimiter) -> Option<(&'static str, &'static str)> {
 
 /// Operators with a value before a parenthesis, whose power stands behind it.
 const WITH_VALUE: [&str; 8] = ["det", "tr", "Tr", "trace", "Re", "Im", "real", "imag"];
+
+/// Whether a factor is enclosed in square brackets, with a power perhaps.
+fn is_in_brackets(item: Option<&Item>) -> bool {
+    item.is_some_and(|item| {
+        let fence = if let Layout::Scripts { nucleus, .. } = &item.layout { nucleus } else { item };
+        matches!(fence.layout, Layout::Fence(Delimiter::Square, _))
+    })
+}
+
+/// Traces, which act on the rest of their term where they have an index.
+const TRACES: [&str; 2] = ["Tr", "tr"];
+
+/// Upright letters that are a mean value or a probability before square brackets.
+const MEANS: [&str; 3] = ["E", "P", "V"];
 
 /// Functions of which some authors raise the argument so.
 const DOUBTFUL: [&str; 2] = ["log", "lg"];
@@ -164,8 +219,9 @@ const OF_OTHERS: [(&str, &str); 11] = [
 ];
 
 /// Functions that have a command or an upright name, and no value here.
-const FUNCTIONS: [&str; 42] = [
-    "log", "lg", "max", "min", "minimum", "maximum", "minimize", "maximize", "sup", "inf", "arg", "argmax", "argmin",
-    "sgn", "sign", "dim", "ker", "rank", "span", "erf", "erfc", "sinc", "gcd", "Pr", "hom", "Res", "Var", "Cov", "ad",
-    "Ad", "div", "grad", "rot", "curl", "diag", "arctanh", "arcsinh", "arccosh", "sech", "csch", "coth", "cosech",
+const FUNCTIONS: [&str; 44] = [
+    "arginf", "argsup", "log", "lg", "max", "min", "minimum", "maximum", "minimize", "maximize", "sup", "inf", "arg",
+    "argmax", "argmin", "sgn", "sign", "dim", "ker", "rank", "span", "erf", "erfc", "sinc", "gcd", "Pr", "hom", "Res",
+    "Var", "Cov", "ad", "Ad", "div", "grad", "rot", "curl", "diag", "arctanh", "arcsinh", "arccosh", "sech", "csch",
+    "coth", "cosech",
 ];

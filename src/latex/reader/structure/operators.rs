@@ -130,68 +130,6 @@ impl Reader<'_> {
         }
     }
 
-    /// A factor with the factorial, the further indices or the evaluation that follows it.
-    pub(in super::super) fn with_what_follows(
-        &mut self,
-        factor: Expr,
-        items: &[Item],
-        cursor: &mut usize,
-    ) -> Read<Expr> {
-        if !self.is_abstract() {
-            return match (items.get(*cursor - 1), items.get(*cursor)) {
-                (Some(before), Some(next))
-                    if self.symbols.open
-                        && is_parenthesis(before)
-                        && is_one_name(next)
-                        && factor.span.start < before.span.start
-                        && before.span.end == next.span.start =>
-                {
-                    let span = factor.span.to(next.span);
-                    Err(Fault::ambiguous(span, "f(x)(y) may be a function of y or a product")
-                        .help("for a product, remove the second pair of parentheses"))
-                }
-                _ => Ok(factor),
-            };
-        }
-        let mut factor = self.factorial(factor, items, cursor);
-        factor = self.applied_to_a_list(factor, items, cursor)?;
-        while let Some(next) = items.get(*cursor)
-            && is_bare_script(next)
-            && next.span.start == items[*cursor - 1].span.end
-            && matches!(items[*cursor - 1].layout, Layout::Scripts { .. })
-        {
-            *cursor += 1;
-            let span = factor.span.to(next.span);
-            factor = self.template(&format!("#{}", printed(std::slice::from_ref(next))), vec![factor], span);
-        }
-        Ok(factor)
-    }
-
-    /// `(\nabla_v g)(V, W)`: what stands in a parenthesis is a function of the list after it, which cannot be a factor.
-    fn applied_to_a_list(&mut self, factor: Expr, items: &[Item], cursor: &mut usize) -> Read<Expr> {
-        let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
-        let before = cursor.checked_sub(1).map(|at| &items[at]).filter(|before| is_parenthesis(before));
-        let (Some(before), Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span })) =
-            (before, items.get(*cursor))
-        else {
-            return Ok(factor);
-        };
-        // `\mathcal{L}(f)(s)`: nobody puts a single name in parentheses as a factor.
-        let is_name = is_one_name(&items[*cursor]);
-        let is_call = factor.span.start < before.span.start;
-        if !(inside.iter().any(is_comma) || is_name && is_call) || before.span.end != span.start {
-            return Ok(factor);
-        }
-        *cursor += 1;
-        let whole = factor.span.to(*span);
-        let mut parts = vec![factor];
-        for argument in inside.split(is_comma) {
-            parts.push(self.sum(argument, *span)?);
-        }
-        let holes = vec!["#"; parts.len() - 1].join(", ");
-        Ok(self.template(&format!("(#)({holes})"), parts, whole))
-    }
-
     /// A fraction that is a derivative by anything, with what it acts on; `None` for another fraction.
     pub(in super::super) fn abstract_derivative(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
         let item = &items[*cursor];
@@ -351,7 +289,7 @@ impl Reader<'_> {
     }
 
     /// A parenthesis, or else the rest of the term; `None` if there is nothing.
-    fn on_the_rest(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
+    pub(super) fn on_the_rest(&mut self, items: &[Item], cursor: &mut usize) -> Read<Option<Expr>> {
         is_no_long_chain(&items[*cursor..])?;
         let next = items[*cursor..].iter().position(|item| !matches!(item.layout, Layout::Space(_)));
         let Some(next) = next.map(|at| *cursor + at).filter(|at| joint(&items[*at]).is_none()) else { return Ok(None) };
@@ -372,17 +310,6 @@ impl Reader<'_> {
         }
         *cursor = items.len();
         self.term(rest).map(Some)
-    }
-
-    /// `n!`, at the exclamation mark.
-    pub(in super::super) fn factorial(&mut self, value: Expr, items: &[Item], cursor: &mut usize) -> Expr {
-        let mut value = value;
-        while let Some(Item { layout: Layout::Other('!'), span }) = items.get(*cursor) {
-            *cursor += 1;
-            let whole = value.span.to(*span);
-            value = self.template("#!", vec![value], whole);
-        }
-        value
     }
 }
 
@@ -429,18 +356,18 @@ fn is_scalar_before_a_gradient(items: &[&Item]) -> bool {
 }
 
 /// Whether an item is one name in parentheses, `(s)`.
-fn is_one_name(item: &Item) -> bool {
+pub(super) fn is_one_name(item: &Item) -> bool {
     let Layout::Fence(Delimiter::Round, inside) = &item.layout else { return false };
     matches!(inside.as_slice(), [only] if names::printed(only, None).is_some_and(|found| found.sup.is_none()))
 }
 
-fn is_parenthesis(item: &Item) -> bool {
+pub(super) fn is_parenthesis(item: &Item) -> bool {
     let nucleus = if let Layout::Scripts { nucleus, .. } = &item.layout { nucleus } else { item };
     matches!(nucleus.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, _))
 }
 
 /// Whether an item is a script without a base, `{}_{\\nu}`.
-fn is_bare_script(item: &Item) -> bool {
+pub(super) fn is_bare_script(item: &Item) -> bool {
     matches!(&item.layout, Layout::Scripts { nucleus, .. } if nucleus.layout == Layout::Group(Vec::new()))
 }
 

@@ -5,8 +5,11 @@ use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
 use crate::suggest::declaration;
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::{Item, Layout, contents};
+use super::super::super::lexer::Space;
 use super::super::super::names::Printed;
+use super::super::super::rows::relation;
+use super::super::items::is_numeric_item;
 use super::super::state::{Read, Reader};
 
 impl Reader<'_> {
@@ -26,7 +29,7 @@ impl Reader<'_> {
         }
         let declared = self.symbols.find(name).is_some();
         // No letter is raised to a decimal number.
-        let is_figure = |sup: &Item| is_figure(sup) && !is_decimal(sup);
+        let is_figure = |sup: &Item| is_figure(sup) && !is_decimal(sup) && !self.symbols.inferred.e_is_number;
         let is_power = |sup: &Item| self.symbols.inferred.charge && is_figure(sup);
         if let (false, true, Some(sup), 0) = (declared, name.subscript.is_empty(), printed.sup, printed.dots)
             && !is_power(sup)
@@ -101,13 +104,58 @@ fn is_negative(item: &Item) -> bool {
     matches!(&item.layout, Layout::Group(items) if matches!(items.first(), Some(Item { layout: Layout::Other('-'), .. })))
 }
 
-/// Whether an exponent is a decimal number that is no half.
+/// Whether an exponent is a decimal number or a fraction, and no half.
 fn is_decimal(item: &Item) -> bool {
+    let is_two = |item: &Item| item.layout == Layout::Number("2".to_owned());
+    let divides = |pair: &[Item]| pair[0].layout == Layout::Other('/') && !is_two(&pair[1]);
     match &item.layout {
         Layout::Number(digits) => digits.split_once('.').is_some_and(|(_, decimals)| decimals != "5"),
-        Layout::Group(items) => items.iter().any(is_decimal),
+        Layout::Fraction(_, below) => !matches!(contents(below), [two] if is_two(two)),
+        Layout::Group(items) => items.iter().any(is_decimal) || items.windows(2).any(divides),
         _ => false,
     }
+}
+
+/// Whether a side of an equation has numbers and powers of e and nothing else, and a number stands beside the power or on a side next to
+/// it, `1 - e^{-2} \approx 0.86`: there e is Euler's number.
+pub fn is_a_number(items: &[Item]) -> bool {
+    let ends = |item: &Item| {
+        relation(item).is_some()
+            || matches!(
+                item.layout,
+                Layout::Other(',' | ';') | Layout::Row | Layout::Text(_) | Layout::Space(Space::Wide)
+            )
+    };
+    let is_power = |item: &Item| {
+        matches!(&item.layout, Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 }
+            if nucleus.layout == Layout::Letter('e') && is_figure(sup))
+    };
+    let is_figure = |item: &Item| {
+        matches!(item.layout, Layout::Number(_) | Layout::Other('+' | '-' | '.'))
+            || is_numeric_item(item)
+            || is_power(item)
+    };
+    let is_blank = |item: &Item| matches!(item.layout, Layout::Space(_) | Layout::Align);
+    let sides: Vec<Vec<&Item>> =
+        items.split(ends).map(|side| side.iter().filter(|item| !is_blank(item)).collect()).collect();
+    let is_decimal = |side: Option<&Vec<&Item>>| {
+        side.and_then(|side| side.first())
+            .is_some_and(|first| matches!(&first.layout, Layout::Number(digits) if digits.contains('.')))
+    };
+    let here = (0..sides.len()).any(|at| {
+        let side = &sides[at];
+        let is_sum = side.iter().any(|item| matches!(item.layout, Layout::Number(_)))
+            && side.iter().any(|item| matches!(item.layout, Layout::Other('+' | '-')));
+        let is_negative =
+            |item: &Item| matches!(&item.layout, Layout::Scripts { sup: Some(sup), .. } if is_negative(sup));
+        side.iter().any(|item| is_power(item))
+            && side.iter().all(|item| is_figure(item))
+            && (is_sum && side.iter().any(|item| is_negative(item)) || is_decimal(sides.get(at + 1)))
+    });
+    here || items.iter().any(|item| match &item.layout {
+        Layout::Environment(_, rows) => rows.iter().any(|row| is_a_number(&row.concat())),
+        _ => false,
+    })
 }
 
 /// Whether the letter j stands in an exponent, outside of subscripts.

@@ -5,6 +5,8 @@
 mod compound;
 mod euler;
 
+pub(super) use euler::is_a_number as e_is_a_number;
+
 use crate::formula::symbols::{Kind, Name, SymbolId};
 use crate::formula::tree::{Expr, Index, Node};
 use crate::formula::units::Unit;

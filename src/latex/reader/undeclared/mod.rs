@@ -15,6 +15,7 @@
 //! | `bound` | the letter of an integral that stands again behind it, which is refused |
 //! | `no_factors` | what stands beside a factor and is none, which is refused |
 //! | `neighbours` | factors that a person reads otherwise, which are refused |
+//! | `unclear_derivatives` | Laplacians that look like differences, and derivatives that look like labels, which are refused |
 //! | `uses` | names that are factors in one place and seem to be functions in another |
 //! | `spelled_names` | names of several letters that look like a product, which are refused |
 //! | `vectors` | dots between bold letters of which one is a matrix |
@@ -28,6 +29,8 @@ pub(in super::super) use marks::has_coefficient;
 pub(in super::super) use marks::note_marks;
 pub(super) use neighbours::unclear_reach;
 pub(in super::super) use spelled_names::unclear_name;
+pub(super) use sums::follows_a_sum;
+pub(in super::super) use unclear_derivatives::unclear_derivative;
 
 mod bars;
 pub(super) mod bound;
@@ -40,6 +43,7 @@ mod neighbours;
 mod no_factors;
 mod spelled_names;
 mod sums;
+mod unclear_derivatives;
 pub(in super::super) mod uses;
 pub(in super::super) mod vectors;
 

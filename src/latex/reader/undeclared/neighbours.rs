@@ -8,8 +8,9 @@ use super::super::super::layout::{Delimiter, Item, Layout, contents, typed};
 use super::super::super::names;
 use super::super::items::{is_numeric_item, joint};
 use super::super::state::{Read, Reader};
+use super::super::structure::is_open_decimal;
 use super::super::words::after_a_symbol;
-use super::no_factors::{is_word, signed_in_braces, unclear_operator};
+use super::no_factors::{is_expectation, is_power_of_j, is_twice_pi, is_word, signed_in_braces, unclear_operator};
 
 /// Arrows that show a direction or a change, and are no factors.
 const ARROWS: [&str; 8] = [
@@ -51,9 +52,28 @@ impl Reader<'_> {
                 "write the arrow as a subscript, as in n_\\uparrow, or leave it out; write a reaction as an equation",
             ));
         }
+        if is_power_of_j(item) {
+            return Err(Fault::ambiguous(item.span, "j may be √−1 or a symbol")
+                .help("write i for √−1, or declare j as \"imaginary unit\" in a claims file; for a symbol, use another letter"));
+        }
         let Some(before) = items[..at].iter().rev().find(|item| !matches!(item.layout, Layout::Space(_))) else {
             return Ok(());
         };
+        if !self.is_abstract() && is_open_decimal(before, item) {
+            return Err(Fault::unsupported(
+                before.span.to(item.span),
+                "a number whose decimals go on has no exact value",
+            )
+            .help("write the number without the dots, after ≈"));
+        }
+        if !self.is_abstract() && is_expectation(before) && joint(item).is_none() {
+            return Err(Fault::unsupported(before.span, "a mean value without parentheses is not supported")
+                .help("write \\mathbb{E}[x]"));
+        }
+        if is_twice_pi(&items[..at]) && item.layout == Layout::Letter('e') {
+            return Err(Fault::ambiguous(item.span, "e after 2π may be Euler’s number, 2.718…, or a symbol")
+                .help("write \\exp(1) for the number, and another letter for a symbol"));
+        }
         let touches = !matches!(items[at - 1].layout, Layout::Space(_));
         let braced = match &item.layout {
             Layout::Command(name) if name == "\\underbrace" || name == "\\overbrace" => items.get(at + 1),

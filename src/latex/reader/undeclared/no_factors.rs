@@ -1,12 +1,14 @@
-//! What stands beside a factor and is none: the change of a formula, `\delta\ln W`; a term with its sign in braces, `b {+c}`; words.
+//! What stands beside a factor and is none: the change of a formula, `\delta\ln W`; a term with its sign in braces, `b {+c}`; words; the
+//! mean value before what it averages, `\mathbb{E} X`; Euler's number behind 2π; the imaginary unit in `(-j)^n`.
 
 use crate::formula::units;
 use crate::source::Fault;
 
 use super::super::super::layout::{Delimiter, Item, Layout, contents};
-use super::super::items::joint;
+use super::super::super::names;
+use super::super::items::{joint, whole_number};
 
-/// The fault of δ, Δ or d before what is no letter: `\delta\ln W`, `d\ln T`. `d\sin\theta` is a product as often.
+/// The fault of δ, Δ or d before what is no letter: `\delta\ln W`, `d\ln T`; and of Δ² before a letter. `d\sin\theta` is a product as often.
 pub(super) fn unclear_operator(before: &Item, item: &Item) -> Option<Fault> {
     let is_mark = matches!(&before.layout, Layout::Command(name) if name == "\\delta" || name == "\\Delta");
     let is_d = before.layout == Layout::Letter('d');
@@ -20,7 +22,11 @@ pub(super) fn unclear_operator(before: &Item, item: &Item) -> Option<Fault> {
         Layout::Scripts { nucleus, .. } => nucleus.layout == Layout::Command("\\sum".to_owned()),
         _ => false,
     };
-    (is_mark && is_formula || is_d && is_logarithm).then(|| {
+    // `\Delta^2 y_0`: the second difference, or the Laplacian of the Laplacian.
+    let is_second = matches!(&before.layout, Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 }
+        if nucleus.layout == Layout::Command("\\Delta".to_owned()) && whole_number(sup).is_some());
+    let is_operation = is_second && names::printed(item, None).is_some();
+    (is_mark && is_formula || is_d && is_logarithm || is_operation).then(|| {
         Fault::ambiguous(before.span.to(item.span), "Δ, δ or d may mean the change of what follows, or be a factor")
             .help("put parentheses around what changes, or write \\cdot for a product")
     })
@@ -49,4 +55,24 @@ pub(super) fn is_word(item: &Item) -> bool {
     let Layout::Text(word) = &item.layout else { return false };
     let is_long = word.len() > 3 && word.chars().all(|c| c.is_ascii_lowercase());
     (is_long || SHORT.contains(&word.as_str())) && !FUNCTIONS.contains(&word.as_str()) && units::parse(word).is_err()
+}
+
+/// Whether an item is `(-j)^{n}`: nobody raises the negative of a real letter.
+pub(super) fn is_power_of_j(item: &Item) -> bool {
+    let Layout::Scripts { nucleus, sub: None, sup: Some(_), primes: 0 } = &item.layout else { return false };
+    let Layout::Fence(Delimiter::Round, inside) = &nucleus.layout else { return false };
+    matches!(inside.as_slice(), [minus, j] if minus.layout == Layout::Other('-') && j.layout == Layout::Letter('j'))
+}
+
+/// Whether an item is the sign of a mean value, `\mathbb{E}_x`.
+pub(super) fn is_expectation(item: &Item) -> bool {
+    let nucleus = if let Layout::Scripts { nucleus, .. } = &item.layout { nucleus } else { item };
+    names::printed(nucleus, None).is_some_and(|found| found.name.base == "\\mathbb{E}")
+}
+
+/// Whether items end with 2π.
+pub(super) fn is_twice_pi(items: &[Item]) -> bool {
+    let mut solid = items.iter().rev().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    let is_pi = solid.next().is_some_and(|pi| pi.layout == Layout::Command("\\pi".to_owned()));
+    is_pi && solid.next().is_some_and(|two| two.layout == Layout::Number("2".to_owned()))
 }

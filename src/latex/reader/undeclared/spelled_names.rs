@@ -28,7 +28,7 @@ pub(in super::super::super) fn unclear_name(items: &[Item]) -> Option<Fault> {
                 .help(format!("write \\operatorname{{{word}}} for the name, or a letter with a subscript; {apart}")),
         );
     }
-    let (word, span) = found.side_of_a_triangle()?;
+    let (word, span) = found.side_of_a_triangle().or(found.ratio)?;
     Some(
         Fault::ambiguous(span, format!("{word} may be the length between two points or a product"))
             .help(format!("write |\\overrightarrow{{{word}}}| for the length; {apart}")),
@@ -51,13 +51,17 @@ struct Found {
     pairs: BTreeMap<String, Span>,
     /// The letters outside of all these.
     others: BTreeSet<char>,
+    /// The lower side of a quotient of two sides with a common point.
+    ratio: Option<(String, Span)>,
 }
 
 impl Found {
     fn list(&mut self, items: &[Item]) {
         let mut at = 0;
         // `x \in SO(3)`: behind the sign stands the name of a set.
-        let set = items.iter().position(is_sign_of_a_set).unwrap_or(items.len());
+        let is_map = items.iter().any(|item| item.layout == Layout::Other(':'));
+        let is_arrow = |item: &Item| is_map && matches!(&item.layout, Layout::Command(name) if name == "\\rightarrow");
+        let set = items.iter().position(|item| is_sign_of_a_set(item) || is_arrow(item)).unwrap_or(items.len());
         while at < items.len() {
             let length = match run_of_letters(items, at).filter(|_| at < set) {
                 Some((word, span, length)) => {
@@ -80,6 +84,16 @@ impl Found {
                 if let Some(sup) = sup {
                     self.list(contents(sup));
                 }
+            }
+            Layout::Fraction(above, below) => {
+                // `\frac{CP}{CH}`: nobody leaves a common factor above and below.
+                if let (Some((first, _)), Some((second, span))) = (side(above), side(below))
+                    && first != second
+                    && first.chars().any(|point| second.contains(point))
+                {
+                    self.ratio.get_or_insert((second, span));
+                }
+                [above, below].into_iter().for_each(|part| self.list(contents(part)));
             }
             _ => parts(item).into_iter().for_each(|part| self.list(part)),
         }
@@ -106,6 +120,14 @@ impl Found {
         let first = self.pairs.iter().next().filter(|_| is_triangle && letters.is_disjoint(&self.others))?;
         Some((first.0.clone(), *first.1))
     }
+}
+
+/// Two capitals that are all of a part of a quotient.
+fn side(part: &Item) -> Option<(String, Span)> {
+    let items = contents(part);
+    let (word, span, length) = run_of_letters(items, 0)?;
+    let are_letters = items.iter().all(|item| matches!(item.layout, Layout::Letter('A'..='Z')));
+    (length == 2 && items.len() == 2 && are_letters).then_some((word, span))
 }
 
 /// Whether a lone name, a number or a list stands in a parenthesis; `None` for anything else than a parenthesis.

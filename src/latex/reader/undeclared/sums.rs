@@ -7,7 +7,7 @@ use crate::source::{Fault, Span};
 use super::super::super::layout::{Item, Layout, contents, parts};
 use super::super::super::names;
 use super::super::super::rows::relation;
-use super::super::items::{extent, is_big_product, is_big_sum};
+use super::super::items::{extent, is_big_product, is_big_sum, is_limit};
 use super::super::state::{Read, Reader};
 use super::super::structure::printed;
 use super::simple_text;
@@ -47,7 +47,11 @@ impl Reader<'_> {
         }
         let outer = self.bound.len();
         self.bound.extend(bound);
-        let body = self.term(rest);
+        let first = rest.iter().find(|item| !matches!(item.layout, Layout::Space(_)));
+        let body = match first.is_some_and(|first| first.layout == Layout::Other('-')) {
+            true => self.sum(rest, sign.span),
+            false => self.term(rest),
+        };
         self.bound.truncate(outer);
         let span = extent(rest).map_or(sign.span, |rest| sign.span.to(rest));
         Ok(self.operate(&name, Operator::Same, vec![body?], span))
@@ -55,8 +59,14 @@ impl Reader<'_> {
 
     /// Rejects `\sum_i x_i + y_i`, where a letter of Σ stands as an index in a term after it, and in none before.
     pub(in super::super) fn is_no_lost_index(&self, items: &[Item]) -> Read<()> {
-        let is_sign = |item: &Item| matches!(item.layout, Layout::Other('+' | '-'));
-        let terms: Vec<&[Item]> = items.split(is_sign).collect();
+        let is_sign = |at: usize| matches!(items[at].layout, Layout::Other('+' | '-')) && !follows_a_sum(items, at);
+        let mut terms: Vec<&[Item]> = Vec::new();
+        let mut start = 0;
+        for at in (0..items.len()).filter(|at| is_sign(*at)) {
+            terms.push(&items[start..at]);
+            start = at + 1;
+        }
+        terms.push(&items[start..]);
         let mut bound: Vec<String> = Vec::new();
         for (at, term) in terms.iter().enumerate() {
             let own: Vec<String> = term.iter().flat_map(letters_of_a_sum).collect();
@@ -82,6 +92,13 @@ impl Reader<'_> {
     pub(in super::super) fn ellipsis(&mut self, span: Span) -> Expr {
         self.operate("\\dots", Operator::Function, Vec::new(), span)
     }
+}
+
+/// Whether a minus stands directly behind Σ, ∏ or lim.
+pub(in super::super) fn follows_a_sum(items: &[Item], at: usize) -> bool {
+    let before = || items[..at].iter().rev().find(|item| !matches!(item.layout, Layout::Space(_)));
+    let reaches = |item: &Item| is_big_sum(item) || is_big_product(item) || is_limit(item);
+    items[at].layout == Layout::Other('-') && before().is_some_and(reaches)
 }
 
 fn refused(span: Span) -> Fault {

@@ -23,7 +23,7 @@ pub(in super::super::super) struct Uses {
     arguments: HashSet<Name>,
     /// Names with a power before a lone name in parentheses, `\lambda^2(t)`.
     powers: Vec<(Name, Span)>,
-    /// The letters that stand above as `1 - x`.
+    /// The letters that stand above as `1 - x`, or above a number.
     pub(in super::super::super) exponents: HashSet<String>,
     /// The names with a dot.
     dotted: HashSet<Name>,
@@ -178,6 +178,9 @@ impl Uses {
                 }
                 if let Some(sup) = sup {
                     self.exponents.extend(rest_of_one(sup));
+                    if matches!(nucleus.layout, Layout::Number(_)) {
+                        self.exponents.extend(lone_exponent(sup));
+                    }
                     self.list(contents(sup), false);
                 }
             }
@@ -217,6 +220,19 @@ fn rest_of_one(sup: &Item) -> Option<String> {
     let [one, minus, letter] = solid.as_slice() else { return None };
     let is_rest = whole_number(one) == Some(1) && minus.layout == Layout::Other('-');
     lone(letter).filter(|found| is_rest && found.name.subscript.is_empty()).map(|found| found.name.base)
+}
+
+/// The a of `6^{-a}`: an exponent of a number. i and j count too often.
+fn lone_exponent(sup: &Item) -> Option<String> {
+    let solid: Vec<&Item> = contents(sup).iter().filter(|item| !is_space(item)).collect();
+    let letter = match solid.as_slice() {
+        [minus, letter] if minus.layout == Layout::Other('-') => letter,
+        [letter] => letter,
+        _ => return None,
+    };
+    let found = lone(letter).filter(|found| found.name.subscript.is_empty())?;
+    // The o of `90^o` is a degree.
+    matches!(found.name.base.as_bytes(), [b'a'..=b'h' | b'k'..=b'n' | b'p'..=b'z']).then_some(found.name.base)
 }
 
 fn is_space(item: &Item) -> bool {
