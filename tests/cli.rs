@@ -43,6 +43,8 @@ mod mark_meanings;
 mod mark_motion;
 #[path = "cli/mark_numbers.rs"]
 mod mark_numbers;
+#[path = "cli/mark_own_letters.rs"]
+mod mark_own_letters;
 #[path = "cli/mark_problems.rs"]
 mod mark_problems;
 #[path = "cli/mark_rounding.rs"]

@@ -162,7 +162,11 @@ impl Checker<'_> {
         let Some(place) = self.model.modes.iter().position(|name| named(name) == Some(symbol)) else {
             return Ok(None);
         };
-        let before = self.model.modes[..place].iter().filter_map(|name| {
+        // So is a frequency that is given by another one: ω_1 = ω_2 says no more than that they are the same.
+        let has = |other: &Name| named(other).is_some_and(|id| id != symbol && formula.symbols().contains(&(id, 0)));
+        let modes = self.model.modes.iter().enumerate();
+        let others = modes.filter(|(at, other)| *at < place || has(other)).map(|(_, other)| other);
+        let before = others.filter_map(|name| {
             let id = named(name)?;
             match self.model.meaning(id) {
                 Some(Meaning::Defined(formula)) => Some((text::plain(&name.to_string()), self.squared(id, formula))),

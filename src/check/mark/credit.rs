@@ -11,6 +11,7 @@ use super::problem::Problem;
 pub(super) fn given(problem: &Problem, judged: Judged) -> (Vec<Line>, Vec<ResultMark>) {
     let Judged { mut lines, found } = judged;
     let mut results = nothing(problem);
+    let steps = Steps::of(problem, &lines, &found);
     let mut charged: Vec<usize> = Vec::new();
     let mut order: Vec<usize> = (0..results.len()).collect();
     order.sort_by_key(|at| found[*at].as_ref().map_or(usize::MAX, |found| found.line));
@@ -19,7 +20,7 @@ pub(super) fn given(problem: &Problem, judged: Judged) -> (Vec<Line>, Vec<Result
         let result = &mut results[at];
         result.line = Some(found.line);
         let share = match found.is_right {
-            true if has_steps(found, &lines) => {
+            true if steps.lead_to(found, &lines) => {
                 result.reached = Reached::Yes;
                 1.0
             }
@@ -73,19 +74,52 @@ pub(super) fn nothing(problem: &Problem) -> Vec<ResultMark> {
     problem.wanted.iter().map(missing).collect()
 }
 
-/// Whether a line before the one that reaches a result leads to it. What stands first in a hand-in needs none, unless it is all that
-/// there is.
-fn has_steps(found: &Found, lines: &[Line]) -> bool {
-    // A condition inside the text leads nowhere by itself.
-    let is_step = |line: &Line| match line.mark {
-        Mark::Right | Mark::Carried | Mark::Wrong => true,
-        Mark::Given => !line.inline,
-        Mark::Open | Mark::Unread => false,
-    };
-    let line = found.line;
-    // The statements of the result itself do not lead to it.
-    let is_other = |at: &usize| is_step(&lines[*at]) && *at != line && !found.parts.contains(at);
-    let is_chain = lines[line].statement.matches('=').count() > 1;
-    let is_first = !lines[..line].iter().any(is_step) && (0..lines.len()).any(|at| is_other(&at));
-    (0..line).any(|at| is_other(&at)) || is_chain || is_first
+/// Which lines of a hand-in lead to results.
+struct Steps {
+    /// Whether a line is a step: a condition inside the text leads nowhere by itself.
+    is_step: Vec<bool>,
+    /// Whether a line is no more than a result.
+    is_result: Vec<bool>,
+    /// Whether that result is an equation of motion.
+    is_motion: Vec<bool>,
+    /// Whether no line is more than a result of the rubric, so that the hand-in may be a copy of the list.
+    is_list: bool,
+}
+
+impl Steps {
+    fn of(problem: &Problem, lines: &[Line], found: &[Option<Found>]) -> Steps {
+        let is_step = |line: &Line| match line.mark {
+            Mark::Right | Mark::Carried | Mark::Wrong => true,
+            Mark::Given => !line.inline,
+            Mark::Open | Mark::Unread => false,
+        };
+        let is_step: Vec<bool> = lines.iter().map(is_step).collect();
+        let (mut is_result, mut is_motion) = (vec![false; lines.len()], vec![false; lines.len()]);
+        for found in found.iter().flatten() {
+            for at in found.parts.iter().copied().chain([found.line]) {
+                is_result[at] |= !is_chain(&lines[at]);
+                is_motion[at] |= found.is_motion;
+            }
+        }
+        // Without a rubric each equation with a number is a result, and each step too.
+        let is_list = problem.names_results && (0..lines.len()).all(|at| !is_step[at] || is_result[at]);
+        Steps { is_step, is_result, is_motion, is_list }
+    }
+
+    /// Whether something leads to a result: a line before it, a chain, or nothing where it stands first in a hand-in that has
+    /// other lines. In a list of results only an equation of motion leads to the result behind it.
+    fn lead_to(&self, found: &Found, lines: &[Line]) -> bool {
+        let line = found.line;
+        // The statements of the result itself do not lead to it.
+        let is_other = |at: &usize| self.is_step[*at] && *at != line && !found.parts.contains(at);
+        let before = (0..line).rev().find(is_other);
+        let is_first = before.is_none() && (0..lines.len()).any(|at| is_other(&at));
+        let leads = |at: usize| !self.is_list || self.is_motion[at] && self.is_result[at];
+        before.is_some_and(leads) || is_chain(&lines[line]) || is_first && (!self.is_list || found.is_motion)
+    }
+}
+
+/// Whether a line is a chain, which leads to its last member.
+fn is_chain(line: &Line) -> bool {
+    line.statement.matches('=').count() > 1
 }

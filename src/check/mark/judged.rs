@@ -16,6 +16,8 @@ pub(super) struct Found {
     pub lost: Option<Lost>,
     /// The lines that say the statements of the result, where these stand on lines of their own.
     pub parts: Vec<usize>,
+    /// Whether the result is an equation of motion.
+    pub is_motion: bool,
 }
 
 /// The lines of a hand-in with their marks, and the lines that reach the wanted results.
@@ -27,7 +29,7 @@ pub(super) struct Judged {
 impl Judged {
     /// How well the hand-in fits the problem: what holds and is reached, less what is false or cannot be read.
     pub fn score(&self) -> i64 {
-        let marks: Vec<Mark> = self.lines.iter().map(|line| line.mark).collect();
+        let marks: Vec<Mark> = self.lines.iter().map(counted).collect();
         worth(&marks) + RESULT * count(self.reached())
     }
 
@@ -68,7 +70,7 @@ impl Rival {
         };
         let is_open = judged.iter().enumerate().any(is_condition);
         let left = self.known.iter().skip(judged.len()).map(|known| known.filter(|_| !is_open).unwrap_or(Mark::Right));
-        let marks: Vec<Mark> = judged.iter().map(|line| line.mark).chain(left).collect();
+        let marks: Vec<Mark> = judged.iter().map(counted).chain(left).collect();
         // Only a line that is not the same reaches a result that no line has reached.
         let reached = |(reached, is_changed): &(usize, Vec<bool>)| {
             reached + (0..marks.len()).filter(|at| (is_open || is_changed[*at]) && marks[*at] == Mark::Right).count()
@@ -76,6 +78,11 @@ impl Rival {
         let reached = self.reached.iter().map(reached).min().unwrap_or(self.results).min(self.results);
         worth(&marks) + RESULT * count(reached) > self.score
     }
+}
+
+/// The mark with which a line counts where letters are sought: that it prints a law of the problem says as much as a right line.
+pub(super) fn counted(line: &Line) -> Mark {
+    if line.mark == Mark::Given && line.verdict == Some(Verdict::Law) { Mark::Right } else { line.mark }
 }
 
 /// What lines add to the score. After the first false line a false line may be carried on, and says

@@ -74,6 +74,8 @@ pub enum Because {
     AtValue(Name, Name),
     /// It numbers two values the other way round.
     OtherOrder,
+    /// It gives, under another letter, these values to which the problem gives numbers.
+    OneOf(Vec<Name>),
     /// Its number is right, but its unit is that of another quantity.
     Unit {
         /// The unit of the quantity.
@@ -91,6 +93,10 @@ impl fmt::Display for Because {
             Because::Follows => f.write_str("follows from the problem"),
             Because::AtSpeed(speed) => write!(f, "follows where the speed is {speed}"),
             Because::OtherOrder => f.write_str("is true with the two signs in the other order"),
+            Because::OneOf(values) => {
+                let names: Vec<String> = values.iter().map(ToString::to_string).collect();
+                write!(f, "follows for {}", names.join(" and "))
+            }
             Because::AtValue(of, value) => write!(f, "follows where {of} is {value}"),
             Because::Unit { wanted, printed } => {
                 write!(

@@ -94,6 +94,20 @@ impl Names {
         Names { symbols: model.symbols.clone(), names, fixed }
     }
 
+    /// The fixed values that have a letter with a number: ω_1 and ω_2 for ω. None, if the letter already has a subscript.
+    pub fn numbered(&self, letter: &Name) -> Vec<&Name> {
+        let is_number = |name: &Name| matches!(name.subscript.as_slice(), [number] if ["1", "2", "3", "+", "-"].contains(&number.as_str()));
+        let is_it = |name: &&Name| {
+            is_number(name) && Name { subscript: Vec::new(), ..(*name).clone() } == *letter && self.is_determined(name)
+        };
+        self.fixed.iter().filter(is_it).collect()
+    }
+
+    /// Whether a formula or the system gives a name.
+    fn is_determined(&self, name: &Name) -> bool {
+        self.names.iter().any(|(known, role, _)| known == name && *role == Role::Determined)
+    }
+
     /// The names that are written for others, with the momenta of renamed coordinates.
     pub fn renamed(&self, letters: &Letters) -> HashMap<Name, Name> {
         let mut whole: HashMap<Name, Name> = letters

@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 
 use crate::Result;
+use crate::formula::SymbolId;
 use crate::latex::slips::{Edit, Pool, Slip};
 use crate::latex::{Reading, names, read_formula, slips};
 use crate::notes::claims::{Claim, Lost};
@@ -130,23 +131,37 @@ fn fitted(finding: &Finding, world: &World<'_>, at: usize) -> Option<Slipped> {
 
 /// The most likely edit with which a line holds, also where it then only repeats what the problem says.
 fn edited(checker: &Checker<'_>, world: &World<'_>, at: usize) -> Option<Corrected> {
-    let (display, line) = (world.first + at, world.display(at));
-    let model = checker.model;
-    let mut edits = slips::corrections(&line.text, &model.symbols, &model.macros, &Pool::default());
-    edits.sort_by_key(|edit| edit.slip);
-    let none = Claim::default();
-    let holds = |edit: &Edit| {
-        let reading = checker.as_printed(&edit.applied(&line.text), &none, &model.macros);
-        let is_read = reading.statements.iter().all(Result::is_ok);
-        is_read && !is_trivial(&reading) && fits(checker, &reading) && {
-            matches!(status(checker, display, &reading, &none), Status::Holds(_) | Status::Given(Verdict::Law, _))
-        }
-    };
-    let is_likely = |edit: &&Edit| is_likely(checker, &line.text, (edit.span, &edit.replacement, edit.slip));
-    let edit = edits.iter().filter(is_likely).find(|edit| holds(edit))?;
+    let line = world.display(at);
+    let edit = correction(checker, world.first + at, &line.text, &|_| true)?;
     let span = world.original(at, edit.span.shifted(line.body.start))?;
     let slip = Slipped { lost: lost(edit.slip), span, replacement: Some(world.in_own_letters(&edit.replacement)) };
     Some(Corrected { slip, text: edit.applied(&line.text) })
+}
+
+/// Whether one likely edit of a text makes it true as a line, and leaves a symbol where it is.
+pub(super) fn is_one_edit_away(checker: &Checker<'_>, display: usize, (text, of): (&str, SymbolId)) -> bool {
+    let is_about_it = |reading: &Reading| {
+        let mut firsts = reading.statements.iter().flatten().filter_map(|statement| statement.members.first());
+        firsts.any(|first| first.as_plain_symbol() == Some(of))
+    };
+    text.len() <= LONGEST && correction(checker, display, text, &is_about_it).is_some()
+}
+
+/// The most likely edit with which the text of a line holds, and reads as `is_wanted` asks.
+fn correction(checker: &Checker<'_>, display: usize, text: &str, is_wanted: &dyn Fn(&Reading) -> bool) -> Option<Edit> {
+    let model = checker.model;
+    let mut edits = slips::corrections(text, &model.symbols, &model.macros, &Pool::default());
+    edits.sort_by_key(|edit| edit.slip);
+    let none = Claim::default();
+    let holds = |edit: &Edit| {
+        let reading = checker.as_printed(&edit.applied(text), &none, &model.macros);
+        let is_read = reading.statements.iter().all(Result::is_ok);
+        is_read && is_wanted(&reading) && !is_trivial(&reading) && fits(checker, &reading) && {
+            matches!(status(checker, display, &reading, &none), Status::Holds(_) | Status::Given(Verdict::Law, _))
+        }
+    };
+    let is_likely = |edit: &Edit| is_likely(checker, text, (edit.span, &edit.replacement, edit.slip));
+    edits.into_iter().filter(is_likely).find(holds)
 }
 
 /// Whether a student may have lost what an edit puts in. A factor is a number or a letter, and stands beside the formula for a name, not

@@ -8,6 +8,8 @@ use std::sync::Arc;
 
 use crate::Result;
 use crate::formula::symbols::Name;
+use crate::formula::{Expr, SymbolId};
+use crate::latex::Reading;
 use crate::latex::foreign::FUNCTION_WORDS;
 use crate::latex::rename::{Renamed, renamed, renamed_with};
 use crate::latex::{Macros, names};
@@ -20,7 +22,7 @@ use crate::check::document::setup::{Run, define_macros, with_checker};
 use crate::check::document::unreadable::faults;
 use crate::check::usage::{Usage, names_of};
 
-use super::names::Letters;
+use super::names::{Letters, Names};
 use super::problem::Problem;
 use super::written::Written;
 use super::written::instants::{Instant, Kind};
@@ -58,6 +60,19 @@ fn related(lines: &[Display], usages: &[Usage]) -> Vec<Name> {
         Some(used.collect::<Vec<_>>())
     };
     lines.iter().enumerate().filter_map(compared).flatten().collect()
+}
+
+/// The names to which a hand-in gives two values with "or" between them, `\omega^2 = \frac km` or `\omega^2 = \frac{3k}m`, and which
+/// the problem has with numbers: no line defines one of these.
+fn of_several_values(lines: &[Display], written: &[Written], known: &Names) -> Vec<Name> {
+    let left = |line: &Display| {
+        let (left, _) = line.text.split_once('=')?;
+        let base = ["^2", "^{2}"].iter().find_map(|power| left.trim().strip_suffix(power)).unwrap_or(left);
+        names::parse(base.trim()).filter(|(_, dots)| *dots == 0).map(|(name, _)| name)
+    };
+    let pairs = lines.windows(2).zip(written.iter().skip(1)).filter(|(_, second)| second.is_alternative);
+    let same = pairs.filter_map(|(pair, _)| left(&pair[0]).filter(|name| left(&pair[1]).as_ref() == Some(name)));
+    same.filter(|name| known.symbols.find(name).is_none() && known.numbered(name).len() > 1).collect()
 }
 
 /// How often the lines are read again with the names that were missing.
@@ -127,6 +142,8 @@ pub(super) struct World<'p> {
     pub declared: Vec<Name>,
     /// The values at instants, with the letters of the problem.
     pub instants: Vec<Instant>,
+    /// The names to which the hand-in gives several values.
+    several: Vec<Name>,
     lines: Vec<(usize, Renamed)>,
     /// The letters of the problem, and those of the student that stand for them.
     back: HashMap<Name, Name>,
@@ -192,6 +209,7 @@ impl<'p> World<'p> {
             first,
             declared: Vec::new(),
             instants: instants.collect(),
+            several: Vec::new(),
             lines,
             back,
             rated: letters.values().filter(|other| other.dots > 0).map(|other| other.name.clone()).collect(),
@@ -201,6 +219,10 @@ impl<'p> World<'p> {
             world.declare(&name, &usages);
         }
         for name in related(&world.notes.equations[first..], &usages) {
+            world.declare(&name, &usages);
+        }
+        world.several = of_several_values(&world.notes.equations[first..], written, &problem.names);
+        for name in world.several.clone() {
             world.declare(&name, &usages);
         }
         world.declare_missing_names(run, &usages)?;
@@ -313,6 +335,26 @@ impl<'p> World<'p> {
     /// Whether letters of the hand-in were taken for others.
     pub fn has_other_letters(&self) -> bool {
         !self.back.is_empty()
+    }
+
+    /// Whether the hand-in gives a name several values, with "or" between them.
+    pub fn has_several_values(&self, name: &Name) -> bool {
+        self.several.contains(name)
+    }
+
+    /// The one letter of the student's own in a line that the problem has with numbers, and the values that it may have there.
+    pub fn letter_with_values(&self, checker: &Checker<'_>, reading: &Reading) -> Option<(SymbolId, Vec<SymbolId>)> {
+        let (symbols, known) = (&checker.model.symbols, &self.problem.names);
+        let members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        let used: Vec<SymbolId> = members.flat_map(Expr::symbols).map(|(id, _)| id).collect();
+        let numbered = |id: &SymbolId| {
+            let name = &symbols.entry(*id).name;
+            let values = known.numbered(name).into_iter().filter_map(|value| Some(symbols.find(value)?.0));
+            let values: Vec<SymbolId> = values.collect();
+            (values.len() > 1 && known.symbols.find(name).is_none()).then_some((*id, values))
+        };
+        let found = used.iter().find_map(numbered)?;
+        (!used.iter().any(|id| found.1.contains(id))).then_some(found)
     }
 
     /// Whether a name of the hand-in was taken for a rate.

@@ -189,7 +189,8 @@ fn is_energy(name: &Name, letters: &[&str], subscripts: &[&str]) -> bool {
     let sub = name.to_string();
     let sub = sub.split_once('_').map_or("", |(_, sub)| sub).trim_matches(['{', '}']);
     let sub = ["\\mathrm{", "\\text{"].iter().find_map(|style| sub.strip_prefix(*style)).unwrap_or(sub);
-    letters.contains(&name.base.as_str()) && sub.is_empty() || name.base == "E" && subscripts.contains(&sub)
+    letters.contains(&name.base.as_str()) && (sub.is_empty() || sub == "\\star")
+        || name.base == "E" && subscripts.contains(&sub)
 }
 
 fn symbol(id: SymbolId) -> Expr {

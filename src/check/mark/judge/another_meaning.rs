@@ -79,7 +79,7 @@ impl Judge<'_, '_> {
     /// they are: then only a symbol in the place of another one shows that it is false.
     pub(super) fn leaves_open(&self, at: usize, reading: &Reading) -> Result<bool> {
         let is_mistyped = |edit: &slip::Corrected| edit.slip.lost == Lost::Symbol;
-        let is_open = !self.unknown(reading).is_empty();
+        let is_open = !self.unknown(reading).is_empty() && !self.has_a_numbered_value(reading);
         Ok(is_open && !self.slips.found(self.run, self.checker, self.world, at)?.0.as_ref().is_some_and(is_mistyped))
     }
 

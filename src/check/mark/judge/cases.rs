@@ -6,11 +6,13 @@ use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
+use crate::check::kinds::solution::is_an_orbit;
 use crate::check::mark::carried::numbers;
 use crate::check::mark::given::{self, Implied};
 use crate::check::mark::marked::{Line, Mark};
 use crate::check::mark::motion::{Along, printed};
 use crate::check::mark::names::moving;
+use crate::check::mark::slip;
 use crate::check::mark::status::{Status, stated, status};
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
@@ -92,6 +94,17 @@ impl Judge<'_, '_> {
         let members = || reading.statements.iter().flatten().flat_map(|statement| &statement.members);
         let is_unknown = |id: SymbolId| self.instants.iter().any(|(known, value)| *known == id && value.is_none());
         members().any(|member| member.symbols().iter().any(|(id, _)| is_unknown(*id)))
+    }
+
+    /// Whether a line prints a relation between coordinates that no law makes true, `x_1 = x_2`, where the problem prints no orbit: a
+    /// motion that starts on it stays there, and others do not.
+    pub(super) fn is_kept_by_some_motions(&self, checker: &Checker<'_>, reading: &Reading) -> bool {
+        let is_orbit = |reading: &Reading| {
+            let links = numbers::links(checker, reading).unwrap_or_default();
+            links.iter().any(|link| is_an_orbit(link, checker.model))
+        };
+        let of_problem = self.world.problem.notes.equations.len();
+        is_orbit(reading) && !self.quiet.readings[..of_problem].iter().any(is_orbit) && !slip::fits(checker, reading)
     }
 
     /// Whether a line is true up to a constant that an initial value makes 0.

@@ -83,7 +83,10 @@ impl Judge<'_, '_> {
             let own = |id: SymbolId| self.is_own(id);
             let compares = statements.iter().all(|statement| given::compares_constants(self.quiet, statement, own));
             return Some(match !is_said && compares {
-                true => open(UNSAID),
+                true => {
+                    self.unsaid.push(written.name.clone());
+                    open(UNSAID)
+                }
                 false => given("is a condition or a value, and is taken for granted"),
             });
         }
@@ -155,6 +158,7 @@ impl Judge<'_, '_> {
             return Ok(Some(right(format!("follows from the trial solution in {name}"))));
         }
         if !self.is_about_a_trial(reading)
+            && !self.has_a_numbered_value(reading)
             && !self.ends_are_false(display, reading)
             && let Some(implied) = Implied::by(self.quiet, (&self.world.declared, &self.open), reading)
             && !self.is_a_constant_that_moves(&implied)

@@ -34,16 +34,19 @@ mod cases;
 mod digits;
 mod extrema;
 mod false_line;
+mod hidden;
 mod instants;
 mod readings;
 mod rest;
 mod secular;
+mod several;
 mod supposed;
 mod trial;
 mod units;
 mod upright;
 
-use readings::{Break, free_of, with_dots};
+pub(super) use readings::with_dots;
+use readings::{Break, free_of};
 
 /// Judges the lines of a hand-in, with the slips in wrong lines.
 ///
@@ -88,6 +91,7 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Riv
             premises: checker.readings.to_vec(),
             cases: supposed::cases(&quiet, world, details),
             conditions: Vec::new(),
+            unsaid: Vec::new(),
             breaks: Vec::new(),
             known: Known::default(),
             data: digits::data(&quiet, world),
@@ -115,6 +119,9 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Riv
             }
         }
         let found = results::found(&quiet, world, &mut lines, (&premises, details.then_some(&corrected)))?;
+        if details {
+            hidden::leave_open(&quiet, world, &mut lines, &found);
+        }
         Ok(Judged { lines, found })
     })
 }
@@ -142,6 +149,8 @@ struct Judge<'j, 'c> {
     cases: Vec<Vec<Reading>>,
     /// The conditions that were stated, as LaTeX, with the names of their lines.
     conditions: Vec<(String, String)>,
+    /// The lines of those that no word makes conditions, and that say that constants are the same.
+    unsaid: Vec<String>,
     /// The conditions that the problem does not meet.
     breaks: Vec<Break>,
     /// What the lines say that symbols are.
@@ -245,6 +254,7 @@ impl Judge<'_, '_> {
                 line.verdict = Some(verdict);
                 line.because = apart.or(under).unwrap_or(Because::Follows);
             }
+            Status::Given(Verdict::Definition, _) | Status::False(_) if self.is_one_of_several(at, &mut line) => {}
             Status::Given(verdict, what) => {
                 if verdict == Verdict::Definition {
                     self.known.add(&reading, false);
@@ -300,6 +310,12 @@ impl Judge<'_, '_> {
                 Along::True => (own, None),
                 Along::False => (Status::False(refuted()), None),
                 Along::Open => (Status::Given(Verdict::Assumed, OTHER_START), None),
+            };
+        }
+        if matches!(own, Status::Holds(_)) && self.is_kept_by_some_motions(&checker, reading) {
+            return match self.along(&checker, display, reading, &none) {
+                Along::True => (own, None),
+                _ => (Status::Given(Verdict::Assumed, SOME_MOTIONS), None),
             };
         }
         if matches!(own, Status::Holds(_)) && self.names_a_rate(reading) {
@@ -375,6 +391,12 @@ impl Judge<'_, '_> {
                 let claim = Claim { assume, ..Claim::default() };
                 let is_along = || self.along(&checker, display, reading, &claim) == Along::True;
                 if self.holds_under(&checker, display, reading, &claim) || is_along() {
+                    if let Some(unsaid) = self.unsaid.last().filter(|unsaid| claim.assume.len() > 1 || *unsaid == name)
+                    {
+                        let why =
+                            format!("holds under the condition of {unsaid}, and no word says that it is a condition");
+                        return (Status::Open(Verdict::Undecided, why), None);
+                    }
                     let found = Status::Holds(Verdict::Verified);
                     return (found, Some(format!("follows under the condition of {name}").into()));
                 }
@@ -410,6 +432,9 @@ const SEEDS: u64 = 3;
 
 /// What is said of a function of the time that solves the laws and is not that of the model solution.
 const OTHER_START: &str = "solves the equations of motion, but for other initial values than the model solution";
+
+/// What is said of a relation between coordinates that some motions keep.
+const SOME_MOTIONS: &str = "holds for some motions, and the problem does not say that this is one of them";
 
 fn carried(lines: &[Line], from: usize) -> Because {
     let mut root = from;

@@ -10,7 +10,7 @@ use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
 
 /// A reading in which each rate of a name has dots: `\frac{dQ}{dt}` is `\dot Q`.
-pub(super) fn with_dots(mut reading: Reading) -> Reading {
+pub(in crate::check::mark) fn with_dots(mut reading: Reading) -> Reading {
     fn dotted(formula: &mut Expr) {
         formula.children_mut().into_iter().for_each(dotted);
         if let Node::TimeDerivative(order, inner) = &formula.node

@@ -4,12 +4,13 @@
 use std::collections::HashMap;
 
 use crate::formula::symbols::Name;
-use crate::formula::{Expr, Node, SymbolId, Symbols};
+use crate::formula::{Expr, Kind, Node, Sign, SymbolId, Symbols};
 use crate::latex::rename::renamed_with;
 use crate::latex::{Macros, read_display};
 use crate::source::Span;
 
 use crate::check::document::setup::define_macros;
+use crate::check::mark::judge::with_dots;
 use crate::check::mark::names::{Letters, Names, Role, StandsFor};
 use crate::check::mark::problem::Problem;
 use crate::check::mark::written::Written;
@@ -35,7 +36,11 @@ pub(super) fn tables(
     let none = HashMap::new();
     let texts: Vec<String> =
         lines.iter().map(|line| renamed_with(&line.text, macros, &none, &line.edits).text).collect();
-    let written = equalities(texts.iter().map(String::as_str), &mut own, macros);
+    let mut written = equalities(texts.iter().map(String::as_str), &mut own, macros);
+    let is_known = |name: &Name| known.symbols.find(name).is_some();
+    let with_rates: Vec<(Expr, Expr)> =
+        written.iter().filter_map(|line| with_primes_as_rates(line, &mut own, is_known)).collect();
+    written.extend(with_rates);
     let other = |pairs: &Pairs| -> Letters {
         let named = pairs.iter().map(|(a, b)| (&own.entry(*a).name, &symbols.entry(*b).name));
         let stands_for = |name: &Name| StandsFor { name: name.clone(), dots: 0 };
@@ -50,13 +55,19 @@ pub(super) fn tables(
         // What moves stays what moves: `\xi = x - x_0` is no Lagrangian T − U.
         let moves = |name: &Name| known.names.iter().any(|(known, role, _)| known == name && *role == Role::Moving);
         let keeps = |a: &Name, b: &Name| !is_number(a) || moves(a) == moves(b);
-        let fits = |a: &Name, b: &Name| stands(a) && is_open(b) && is_number(b) && keeps(a, b) && may_stand_for(a, b);
+        let fits = |a: &Name, b: &Name| {
+            stands(a) && is_open(b) && is_number(b) && keeps(a, b) && may_stand_for(a, b) && !is_any_mode(known, a, b)
+        };
         table.iter().all(|(a, b)| fits(a, &b.name)) && !is_exchange(table)
     };
     // The letters with which a line is an equation of the problem, beside those that are known.
     let more = |known: &Pairs, line: &(Expr, Expr), display: &(Expr, Expr)| -> Option<Pairs> {
         let mut pairs = known.clone();
-        let is_it = is_alike(&line.0, &display.0, &mut pairs) && is_alike(&line.1, &display.1, &mut pairs);
+        let mut is_it = is_alike(&line.0, &display.0, &mut pairs) && is_alike(&line.1, &display.1, &mut pairs);
+        if !is_it {
+            pairs.truncate(known.len());
+            is_it = is_rearranged(line, display, &mut pairs);
+        }
         (is_it && is_sound(&other(&pairs))).then_some(pairs)
     };
     let none = Pairs::new();
@@ -105,12 +116,70 @@ type Pairs = Vec<(SymbolId, SymbolId)>;
 fn equalities<'t>(texts: impl Iterator<Item = &'t str>, symbols: &mut Symbols, macros: &Macros) -> Vec<(Expr, Expr)> {
     let mut found = Vec::new();
     for text in texts {
-        for statement in read_display(text, symbols, macros).statements.into_iter().flatten() {
+        for statement in with_dots(read_display(text, symbols, macros)).statements.into_iter().flatten() {
             let Some((first, rest)) = statement.members.split_first() else { continue };
             found.extend(rest.iter().map(|other| (first.clone(), other.clone())));
         }
     }
     found
+}
+
+/// An equality in which primes are rates, `x'' = \ddot x`; `None`, if no name has any. `is_known` tells the names of the problem.
+fn with_primes_as_rates(
+    (left, right): &(Expr, Expr),
+    own: &mut Symbols,
+    is_known: impl Fn(&Name) -> bool,
+) -> Option<(Expr, Expr)> {
+    let primed = |(id, _): (SymbolId, u8)| {
+        let name = own.entry(id).name.clone();
+        (name.primes > 0 && !is_known(&name)).then_some((id, name))
+    };
+    let primed: Vec<(SymbolId, Name)> = [left, right].into_iter().flat_map(Expr::symbols).filter_map(primed).collect();
+    let mut rates: Vec<(SymbolId, SymbolId, u8)> = Vec::new();
+    for (id, name) in primed {
+        let plain = Name { primes: 0, ..name.clone() };
+        let of = own.find(&plain).map(|(of, _)| of).or_else(|| own.add(plain, Kind::Scalar))?;
+        rates.push((id, of, name.primes));
+    }
+    let dotted = |side: &Expr| {
+        let mut side = side.clone();
+        let span = side.span;
+        side.substitute(&|node| match node {
+            Node::Symbol { id, indices, dots } => {
+                let (_, of, primes) = rates.iter().find(|(primed, ..)| primed == id)?;
+                let dots = dots.saturating_add(*primes);
+                Some(Expr::new(Node::Symbol { id: *of, indices: indices.clone(), dots }, span))
+            }
+            _ => None,
+        });
+        side
+    };
+    (!rates.is_empty()).then(|| (dotted(left), dotted(right)))
+}
+
+/// Whether two equalities of several terms are the same but for their letters and for the sides on which the terms stand.
+fn is_rearranged(line: &(Expr, Expr), display: &(Expr, Expr), pairs: &mut Pairs) -> bool {
+    let (own, other) = (terms(line), terms(display));
+    let flipped = |(sign, term): &(Sign, _)| (sign.flipped(), *term);
+    own.len() >= FEWEST_TERMS
+        && [own.clone(), own.iter().map(flipped).collect()].iter().any(|own| {
+            in_some_order(own, &other, pairs, &|a: (Sign, &Expr), b: (Sign, &Expr), pairs: &mut _| {
+                a.0 == b.0 && is_alike(a.1, b.1, pairs)
+            })
+        })
+}
+
+/// The fewest terms of an equality that is recognised with its terms on other sides: fewer are like many others.
+const FEWEST_TERMS: usize = 3;
+
+/// The terms of an equality with their signs, as if all stood on the left side.
+fn terms<'e>((left, right): &'e (Expr, Expr)) -> Vec<(Sign, &'e Expr)> {
+    let of = |side: &'e Expr| match &side.node {
+        Node::Sum(terms) => terms.iter().map(|term| (term.sign, &term.expr)).collect(),
+        _ => vec![(Sign::Plus, side)],
+    };
+    let moved = of(right).into_iter().map(|(sign, term): (Sign, &Expr)| (sign.flipped(), term));
+    of(left).into_iter().chain(moved).filter(|(_, term)| !term.is_null()).collect()
 }
 
 /// Whether two formulas are the same but for their letters and the order of terms and factors. Letters correspond one to
@@ -155,6 +224,13 @@ fn is_alike(left: &Expr, right: &Expr, pairs: &mut Pairs) -> bool {
 pub(super) fn may_stand_for(own: &Name, other: &Name) -> bool {
     let has_hat = |name: &Name| name.base.starts_with("\\hat{");
     has_hat(own) == has_hat(other)
+}
+
+/// Whether a name is the frequency without a number, and the other one that of one of several modes: ω in `x = A\cos\omega t` is any
+/// of ω_1 and ω_2.
+pub(super) fn is_any_mode(known: &Names, own: &Name, other: &Name) -> bool {
+    let modes = known.numbered(own);
+    own.base == "\\omega" && modes.len() > 1 && modes.contains(&other)
 }
 
 /// The factors of a formula: those above the fraction line, and those below.

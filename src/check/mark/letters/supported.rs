@@ -15,10 +15,11 @@ use crate::formula::symbols::Name;
 const FEWEST: usize = 2;
 
 /// Whether each letter of the problem that stands for another one does so in several right lines and in no false one, and no line
-/// with it is right as it stands. `names` are those in each line; `plain` is the hand-in judged with the letters in `declared` alone.
+/// with it is right as it stands. Where a line is one of the problem with these letters (`is_by_form`), one other line may be false.
+/// `names` are those in each line; `plain` is the hand-in judged with the letters in `declared` alone.
 pub(super) fn is_supported(
     problem: &Problem,
-    (declared, way): (&Letters, &Letters),
+    (declared, way, is_by_form): (&Letters, &Letters, bool),
     names: &[Vec<Usage>],
     (plain, judged): (&Judged, &Judged),
 ) -> bool {
@@ -30,9 +31,17 @@ pub(super) fn is_supported(
         let is_false = |at: &usize| {
             matches!(mark(judged, *at), None | Some(Mark::Wrong | Mark::Carried | Mark::Unread | Mark::Open))
         };
-        let is_plain = |at: &usize| plain.lines.get(*at).is_some_and(is_true);
-        let right = lines.iter().filter(|at| mark(judged, **at) == Some(Mark::Right)).count();
-        right >= FEWEST && !lines.iter().any(is_false) && !lines.iter().any(is_plain)
+        let is_wrong = |at: &&usize| matches!(mark(judged, **at), None | Some(Mark::Wrong));
+        let is_refuted = match is_by_form {
+            true => lines.iter().filter(is_wrong).count() > 1,
+            false => lines.iter().any(is_false),
+        };
+        // Beside names of the student's own a line may be right with any meaning of the letter.
+        let is_open =
+            |at: usize| is_by_form && names[at].iter().any(|usage| problem.names.symbols.find(&usage.name).is_none());
+        let is_plain = |at: &usize| plain.lines.get(*at).is_some_and(is_true) && !is_open(*at);
+        let right = lines.iter().filter(|at| judged.lines.get(**at).is_some_and(is_true)).count();
+        right >= FEWEST && !is_refuted && !lines.iter().any(is_plain)
     })
 }
 

@@ -1,6 +1,6 @@
 //! The ways in which the letters of a hand-in may be those of the problem, the likeliest first, and the best of them.
 
-use super::matching::{self, may_stand_for};
+use super::matching::{self, is_any_mode, may_stand_for};
 use super::supported;
 use std::collections::HashMap;
 
@@ -15,12 +15,14 @@ use crate::check::sample::context::Options;
 use crate::check::usage::{Usage, names_of};
 
 use crate::check::mark::judge::{judge, judge_quickly};
-use crate::check::mark::judged::{Judged, Rival};
+use crate::check::mark::judged::{Judged, Rival, counted};
 use crate::check::mark::marked::Mark;
 use crate::check::mark::names::{Letters, Names, Role, StandsFor};
 use crate::check::mark::problem::{self, Problem};
 use crate::check::mark::world::World;
-use crate::check::mark::written::{Written, accelerations, functions, instants, signs, single_letters, written};
+use crate::check::mark::written::{
+    Written, accelerations, energies, functions, groups, instants, signs, single_letters, written,
+};
 
 /// The most ways that are tried.
 const WAYS: usize = 60;
@@ -48,6 +50,8 @@ pub(in crate::check::mark) fn best(
     single_letters::instants(&mut lines, &problem.names, &macros);
     single_letters::charges(&mut lines, &problem.names);
     single_letters::lengths(&mut lines, &problem.names);
+    groups::with_rates(&mut lines);
+    energies::kinetic(&mut lines, &problem.names, &macros);
     let used = usages(notes, &lines, &macros);
     let known = &problem.names;
     let declared = declared(problem, &used);
@@ -72,11 +76,15 @@ pub(in crate::check::mark) fn best(
         let (mut score, mut is_whole) = (own.score(), self::is_whole(&own));
         let mut most_false = own.lines.iter().filter(|line| line.mark == Mark::Wrong).count();
         let mut tried = vec![(declared.clone(), own)];
+        let mut place = 0;
         for way in ways {
             if is_whole {
                 break;
             }
-            let rival = rival(&tried, (score, results), |other| changed(known, &names, (other, &way)));
+            // A line that is one of the problem outweighs a slip that a letter of the student's own would hide.
+            let is_by_form = by_form.contains(&way);
+            let bar = score - i64::from(is_by_form && !by_form.contains(&best));
+            let rival = rival(&tried, (bar, results), |other| changed(known, &names, (other, &way)));
             if !rival.may_be_beaten(&[]) {
                 continue;
             }
@@ -84,9 +92,12 @@ pub(in crate::check::mark) fn best(
             let Ok(judged) = judged else { continue };
             // A guess that makes more lines false than the letters before is no better for other lines that it makes true.
             let is_false = |judged: &Judged| judged.lines.iter().filter(|line| line.mark == Mark::Wrong).count();
-            let is_sound = is_false(&judged) <= most_false || is_likely(&way, &declared) || by_form.contains(&way);
-            let is_supported = supported::is_supported(problem, (&declared, &way), &names, (&tried[0].1, &judged));
-            if judged.is_complete() && judged.score() > score && is_sound && is_supported {
+            let is_sound = is_false(&judged) <= most_false || is_likely(&way, &declared) || is_by_form;
+            let is_supported =
+                supported::is_supported(problem, (&declared, &way, is_by_form), &names, (&tried[0].1, &judged));
+            let is_honest = is_by_form || !by_form.contains(&best) || !only_hides(&tried[place].1, &judged);
+            if judged.is_complete() && judged.score() > bar && is_sound && is_supported && is_honest {
+                place = tried.len();
                 most_false = most_false.max(is_false(&judged));
                 is_whole = self::is_whole(&judged);
                 (score, best) = (judged.score(), way.clone());
@@ -95,6 +106,15 @@ pub(in crate::check::mark) fn best(
         }
     }
     Ok((judge(run, &world(&best, run)?)?, shown(&with_primes(&used, known, &best))))
+}
+
+/// Whether letters are no better than those with which a line is one of the problem: they make nothing more true, and take lines for
+/// definitions, of which at least as many are true as false.
+fn only_hides(by_form: &Judged, judged: &Judged) -> bool {
+    let pairs = || by_form.lines.iter().map(counted).zip(judged.lines.iter().map(counted));
+    let hidden = |of: Mark| pairs().filter(|pair| *pair == (of, Mark::Given)).count();
+    let is_more = pairs().any(|(before, now)| now == Mark::Right && before != Mark::Right);
+    hidden(Mark::Wrong) > 0 && hidden(Mark::Right) >= hidden(Mark::Wrong) && !is_more
 }
 
 /// What the letters that were tried say of others, for which `changed` tells the lines that are not the same with them.
@@ -107,7 +127,7 @@ fn rival(
     let lines = all.first().map_or(0, |(_, is_changed)| is_changed.len());
     let known = |at: usize| {
         let mut same = all.iter().filter(|(_, is_changed)| !is_changed[at]);
-        same.find_map(|(judged, _)| judged.lines.get(at).map(|line| line.mark))
+        same.find_map(|(judged, _)| judged.lines.get(at).map(counted))
     };
     let known = (0..lines).map(known).collect();
     let complete = all.into_iter().filter(|(judged, _)| judged.is_complete());
@@ -224,6 +244,17 @@ fn is_rate(name: &Name, used: &[Usage], known: &Names, declared: &Letters) -> bo
     let plain = Name { primes: 0, ..name.clone() };
     let other = declared.get(&plain).map_or(&plain, |other| &other.name);
     known.names.iter().any(|(known, role, _)| known == other && varies(role))
+        || known.symbols.find(&plain).is_none() && has_primed_accelerations(used) && is_used(used, &plain)
+}
+
+/// Whether a letter of the student's own stands with two primes and without any, as in `x'' = -\omega^2 x`: then primes are rates.
+fn has_primed_accelerations(used: &[Usage]) -> bool {
+    let plain = |usage: &Usage| Name { primes: 0, ..usage.name.clone() };
+    used.iter().any(|usage| usage.name.primes == 2 && is_used(used, &plain(usage)))
+}
+
+fn is_used(used: &[Usage], name: &Name) -> bool {
+    used.iter().any(|usage| usage.name == *name)
 }
 
 /// The ways in which a line is one of the problem; and all ways that are tried: these, each by itself and with the likeliest other
@@ -299,6 +330,7 @@ fn is_own(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> b
         && !declared.contains_key(name)
         && (name.primes == 0 || !is_rate(name, used, known, declared))
         && !name.base.starts_with(['(', '['])
+        && !energies::is_kinetic(name)
 }
 
 /// The ways to take the names that only the hand-in has for names that only the problem has, the most likely first.
@@ -338,9 +370,11 @@ const OWN_WITH_A_LINE: u32 = 1;
 
 /// What a name may stand for, each with its cost: the lower, the likelier.
 fn options(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> Vec<(u32, StandsFor)> {
-    let is_used = |name: &Name| used.iter().any(|usage| usage.name == *name);
+    let has_rate = |other: &Usage| other.name.primes > 0 && Name { primes: 0, ..other.name.clone() } == usage.name;
+    let moves = usage.moves || has_primed_accelerations(used) && used.iter().any(has_rate);
+    let is_used = |name: &Name| is_used(used, name);
     let is_taken = |name: &Name| declared.values().any(|other| other.dots == 0 && other.name == *name);
-    let fits = |name: &Name, role: Role| match (usage.moves, usage.introduced.is_some()) {
+    let fits = |name: &Name, role: Role| match (moves, usage.introduced.is_some()) {
         (true, false) => role == Role::Moving || role == Role::Determined && alike(name, &usage.name),
         (true, true) => role != Role::Constant,
         (false, _) => true,
@@ -360,7 +394,7 @@ fn options(usage: &Usage, used: &[Usage], known: &Names, declared: &Letters) -> 
         if usage.name.subscript == ["0"] && !known.fixed.contains(name) {
             continue;
         }
-        if !may_stand_for(&usage.name, name) {
+        if !may_stand_for(&usage.name, name) || is_any_mode(known, &usage.name, name) {
             continue;
         }
         let cost = match () {

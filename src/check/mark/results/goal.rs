@@ -74,6 +74,11 @@ impl Goal {
         (!links.is_empty()).then_some(Goal { model, links, hypotheses, symbols, is_law, others, also, is_secular })
     }
 
+    /// Whether it says how something moves: it has a rate, or is a law of the problem.
+    pub fn is_motion(&self) -> bool {
+        self.is_law || self.symbols.iter().any(|(_, dots)| *dots > 0)
+    }
+
     /// Whether a link gives a number, or a formula of fewer names, for a wanted quantity that does not vary: the student has put
     /// in numbers.
     pub fn is_computed(&self, checker: &Checker<'_>, link: &Link) -> bool {
@@ -295,6 +300,11 @@ impl Goal {
             let is_name = matches!(wanted.lhs.node, Node::Symbol { .. });
             if is_name && link.lhs == wanted.lhs {
                 return Some(self.off_by(checker, &link.rhs, &wanted.rhs));
+            }
+            // A false line about the square of a wanted quantity was meant as it too.
+            let name = wanted.lhs.as_plain_symbol();
+            if name.is_some_and(|id| matches!(link.lhs.node, Node::Power(..)) && is_power_of(&link.lhs, id)) {
+                return Some(None);
             }
             let left = checker.link(&link.lhs, Relation::Equal, &wanted.lhs);
             if !link.lhs.is_null() && left.is_ok_and(|left| self.holds(checker, &left, &[]) == Some(true)) {

@@ -38,7 +38,10 @@ pub(super) fn found(
     lines: &mut [Line],
     (premises, corrected): (&[Reading], Option<&[Option<String>]>),
 ) -> Result<Vec<Option<Found>>> {
-    let is_at = |line: &Line| matches!(line.because, Because::AtSpeed(_) | Because::AtValue(..) | Because::OtherOrder);
+    let is_at = |line: &Line| {
+        let because = &line.because;
+        matches!(because, Because::AtSpeed(_) | Because::AtValue(..) | Because::OtherOrder | Because::OneOf(_))
+    };
     let is_at_value: Vec<bool> = lines.iter().map(is_at).collect();
     let readings = |at: usize| {
         let display = world.first + at;
@@ -50,6 +53,11 @@ pub(super) fn found(
         both.extend(with_named_rates(checker, own));
         both
     };
+    let is_false = |at: usize| matches!(lines[at].mark, Mark::Wrong | Mark::Carried);
+    let meant: Vec<Vec<Reading>> = (0..lines.len())
+        .map(|at| if is_false(at) { with_numbered_values(checker, world, &readings(at)[0]) } else { Vec::new() })
+        .collect();
+    let readings = |at: usize| readings(at).into_iter().chain(meant[at].iter().cloned()).collect::<Vec<_>>();
     let search =
         |wanted| Goal::of(checker, world, wanted).map(|goal| Search { checker, world, goal, readings: &readings });
     let searches: Vec<Option<Search<'_, '_, _>>> = world.problem.wanted.iter().map(search).collect();
@@ -91,7 +99,7 @@ impl<R: Fn(usize) -> Vec<Reading>> Search<'_, '_, R> {
             let more = (self.readings)(at).into_iter().filter_map(|reading| goal.reached(checker, world, &reading));
             Some((more.min().filter(|_| is_true(&lines[at]))?, at))
         };
-        let found = |line: usize| Found { line, is_right: true, lost: None, parts: Vec::new() };
+        let found = |line: usize| self.right_at(line);
         // A line without names of the student's own says it best.
         if let Some((_, line)) = (0..lines.len()).filter_map(reached).min() {
             return Some(found(line));
@@ -120,7 +128,12 @@ impl<R: Fn(usize) -> Vec<Reading>> Search<'_, '_, R> {
                     .any(|reading| self.goal.is_with_known_quantities(self.checker, self.world, (*at, &reading), lines))
         };
         let line = (0..lines.len()).find(says)?;
-        Some(Found { line, is_right: true, lost: None, parts: Vec::new() })
+        Some(self.right_at(line))
+    }
+
+    /// The result, as a right line reaches it.
+    fn right_at(&self, line: usize) -> Found {
+        Found { line, is_right: true, lost: None, parts: Vec::new(), is_motion: self.goal.is_motion() }
     }
 
     /// Whether a line gives a number for what is wanted.
@@ -166,7 +179,7 @@ impl<R: Fn(usize) -> Vec<Reading>> Search<'_, '_, R> {
         // What the result is off by says more than which edit is the likeliest, if the slip is in its own line.
         let slip = lines[root].slip.as_ref().map(|slip| slip.lost);
         let lost = if root == at { off.or(slip) } else { slip.or(off) };
-        Some(Found { line: at, is_right: false, lost, parts: Vec::new() })
+        Some(Found { is_right: false, lost, ..self.right_at(at) })
     }
 
     /// What a false line that was meant as the result is off by, if that is a number; `None`, if it was not meant as the result.
@@ -182,6 +195,21 @@ impl<R: Fn(usize) -> Vec<Reading>> Search<'_, '_, R> {
         let attempt = (self.readings)(at).iter().rev().find_map(|reading| goal.attempt(checker, world, reading));
         attempt.or_else(|| is_corrected.then_some(None))
     }
+}
+
+/// What a false line says with each value of the problem in the place of a letter to which the hand-in gives several of them.
+fn with_numbered_values(checker: &Checker<'_>, world: &World<'_>, reading: &Reading) -> Vec<Reading> {
+    let Some((letter, values)) = world.letter_with_values(checker, reading) else { return Vec::new() };
+    if !world.has_several_values(&checker.model.symbols.entry(letter).name) {
+        return Vec::new();
+    }
+    let with = |value: SymbolId| {
+        let mut new = reading.clone();
+        let members = new.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members);
+        members.for_each(|member| member.rename(&|id| if id == letter { value } else { id }));
+        new
+    };
+    values.into_iter().map(with).collect()
 }
 
 /// A reading with the name that a law gives to a rate in the place of the rate: `a` for `\ddot x`.

@@ -1,10 +1,12 @@
 //! The lines of a hand-in: the statements of its displays, the rows of its chains, and the equations in its text.
 //!
-//! Offers `written`, the lines ([`Written`]) in their order, and what `accelerations`, `functions`, `instants`, `signs`
-//! and `single_letters` change in them before they are read. Knows `usage`, and LaTeX and notes.
+//! Offers `written`, the lines ([`Written`]) in their order, and what `accelerations`, `energies`, `functions`,
+//! `groups`, `instants`, `signs` and `single_letters` change in them before they are read. Knows `usage`, and LaTeX and notes.
 
 pub(super) mod accelerations;
+pub(super) mod energies;
 pub(super) mod functions;
+pub(super) mod groups;
 pub(super) mod instants;
 mod lines;
 pub(super) mod signs;

@@ -124,7 +124,7 @@ pub(in crate::check::mark) fn lengths(lines: &mut [Written], known: &Names) {
 }
 
 /// Puts a name in the place of a letter, where no edit has taken it along.
-fn rename(line: &mut Written, mut places: Vec<Span>, name: &str) {
+pub(super) fn rename(line: &mut Written, mut places: Vec<Span>, name: &str) {
     places.retain(|span| line.edits.iter().all(|(taken, _)| !taken.contains(*span)));
     line.edits.extend(places.into_iter().map(|span| (span, format!("{{{name}}}"))));
 }
@@ -136,9 +136,10 @@ pub(in crate::check::mark) fn is_instant(name: &Name) -> bool {
 
 /// A text with the letters that the student wrote.
 pub(in crate::check::mark) fn as_written(text: &str) -> String {
-    [(INSTANT, "t"), (CHARGE, "e"), (LENGTH, "d"), ("t_\\star", "t"), ("e_\\star", "e"), ("d_\\star", "d")]
-        .iter()
-        .fold(text.to_owned(), |text, (name, letter)| text.replace(name, letter))
+    let letters = ["t", "e", "d", "T", "K"].into_iter();
+    letters.fold(text.to_owned(), |text, letter| {
+        text.replace(&format!("{letter}_{{\\star}}"), letter).replace(&format!("{letter}_\\star"), letter)
+    })
 }
 
 /// Where a letter stands alone, without dots, subscript or primes.
@@ -169,7 +170,7 @@ pub(super) fn single(text: &str, letter: &str) -> Vec<Span> {
     found
 }
 
-fn as_display(line: &Written) -> Display {
+pub(super) fn as_display(line: &Written) -> Display {
     Display {
         span: line.body,
         body: line.body,
