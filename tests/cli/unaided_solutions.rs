@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::support::Desk;
+use crate::support::{Desk, verdicts};
 use crate::unaided::page;
 
 /// The verdict on the last display of a page, and the text of its first correction.
@@ -164,4 +164,19 @@ fn what_solves_a_chain_solves_an_equality_that_says_something() {
     let potential = r"V = \frac12 k x^2 - m g x";
     let (verdict, _) = last("chain-identity", &[potential, r"\frac{dV}{dx} = k x - m g = 0", r"x = \frac{m g}{k^2}"]);
     assert_eq!(verdict, "refuted");
+}
+
+/// Of a relation that an equation solves, some names may drop out: the pressure at both ends, the density.
+#[test]
+fn a_relation_may_have_names_that_its_solution_has_not() {
+    let outflow = |speed: &str| {
+        format!(
+            "Bernoulli:\n\n$$ p + \\rho g h = p + \\frac12 \\rho v^2 $$\n\nHence the speed is\n\n$$ v = \\sqrt{{{speed}}} $$\n"
+        )
+    };
+    let found = |name: &str, speed: &str| verdicts(&format!("unaided-outflow-{name}"), &outflow(speed)).pop();
+    assert_eq!(found("true", "2 g h").as_deref(), Some("certified"));
+    assert_eq!(found("slip", r"\frac{2 g}{h}").as_deref(), Some("refuted"));
+    // With a name more the correction is of another case: at another place the pressure is another one.
+    assert_ne!(found("case", r"2 g h + \frac{2 q}{\rho}").as_deref(), Some("refuted"));
 }

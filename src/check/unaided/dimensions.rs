@@ -225,15 +225,15 @@ pub(super) fn are_spoilt(checker: &Checker<'_>, at: usize, repair: &Repair) -> b
     faults(&corrected) > faults(&display.text)
 }
 
-/// Whether a letter stands for what has a dimension in nearly all notes: a mass, a time, a length, a velocity, a force, an energy. Of
-/// other letters, such as α, ε, n and x, nobody knows.
+/// Whether a letter stands for what has a dimension in nearly all notes: m, t, v, C, λ. Of others, such as α, ε, n and x, nobody knows.
 fn has_a_dimension(base: &str) -> bool {
-    const NAMES: [&str; 38] = [
-        "m", "M", "t", "T", "\\tau", "v", "V", "c", "g", "G", "F", "E", "\\ell", "l", "L", "r", "R", "h", "\\hbar",
-        "d", "s", "u", "P", "p", "A", "a", "q", "Q", "U", "I", "\\omega", "\\Omega", "\\lambda", "\\rho", "W", "B",
-        "H", "\\varrho",
-    ];
-    NAMES.contains(&base)
+    const GREEK: [&str; 10] =
+        ["\\tau", "\\omega", "\\Omega", "\\lambda", "\\rho", "\\varrho", "\\mu", "\\hbar", "\\ell", "\\Phi"];
+    const MAY_BE_NUMBERS: [&str; 13] = ["n", "N", "i", "j", "e", "f", "u", "w", "x", "y", "z", "X", "Z"];
+    match base.starts_with('\\') {
+        true => GREEK.contains(&base),
+        false => !MAY_BE_NUMBERS.contains(&base),
+    }
 }
 
 /// The symbols that have a dot in some statements.

@@ -29,6 +29,8 @@ pub(super) struct Solution<'p> {
     /// Whether the display relates the same symbols, and the relation is no formula for the unknown already. What relates
     /// fewer may be a special case.
     pub same_symbols: bool,
+    /// Whether the relation has all symbols of the display, and more that may drop out of it, and is no formula for the unknown.
+    pub more_symbols: bool,
 }
 
 /// The last relations before a display that contain the one symbol for which it gives a formula. `symbols` are those of the
@@ -61,8 +63,14 @@ pub(super) fn solved<'p>(
             let others: Vec<&SymbolId> = symbols.iter().filter(is_other).collect();
             let related: Vec<&SymbolId> = of.symbols.iter().filter(is_other).collect();
             let is_same = related.len() == others.len() && related.iter().all(|id| others.contains(id));
-            let same_symbols = is_same && !is_formula(&readings[of.at], unknown);
-            Solution { of, claim: Claim { solves, ..Claim::default() }, same_symbols }
+            let is_relation = !is_formula(&readings[of.at], unknown);
+            let has_more = related.len() > others.len() && others.iter().all(|id| related.contains(id));
+            Solution {
+                of,
+                claim: Claim { solves, ..Claim::default() },
+                same_symbols: is_same && is_relation,
+                more_symbols: has_more && is_relation,
+            }
         })
         .collect()
 }

@@ -192,6 +192,13 @@ impl Course<'_, '_> {
         Edit { span, replacement: repair.replacement.clone(), slip: repair.slip }.applied(&display.text)
     }
 
+    /// Whether a correction puts a name into a display that it does not contain.
+    pub(super) fn adds_a_name(&self, at: usize, repair: &Repair) -> bool {
+        let (model, display) = (self.checker.model, &self.checker.notes.equations[at]);
+        let printed = gate::symbols_of(&display.text, model);
+        gate::symbols_of(&self.corrected(at, repair), model).iter().any(|id| !printed.contains(id))
+    }
+
     /// Whether a correction puts a name into a display whose formula may be wrong, or was read as 0.
     fn brings_doubt(&self, at: usize, repair: &Repair) -> bool {
         let (model, display) = (self.checker.model, &self.checker.notes.equations[at]);

@@ -136,10 +136,14 @@ impl Course<'_, '_> {
                 }
             }
         }
-        for solution in
-            solved.iter().filter(|solution| solution.same_symbols && sought.words.connected).take(SOLVED_WITH_A_SLIP)
-        {
-            if let Some(wrong) = self.slip(at, &solution.claim, &[solution.of], sought.words)? {
+        let is_about_it = |solution: &&Solution<'_>| solution.same_symbols || solution.more_symbols;
+        for solution in solved.iter().filter(is_about_it).filter(|_| sought.words.connected).take(SOLVED_WITH_A_SLIP) {
+            let Some(mut wrong) = self.slip(at, &solution.claim, &[solution.of], sought.words)? else { continue };
+            // What an edit adds did not drop out: the display may be a special case.
+            if solution.more_symbols {
+                wrong.repairs.retain(|repair| !self.adds_a_name(at, repair));
+            }
+            if !wrong.repairs.is_empty() {
                 return Ok(Some(wrong));
             }
         }
