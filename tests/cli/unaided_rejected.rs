@@ -108,3 +108,16 @@ fn a_solution_starts_where_the_notes_say() {
     let wrong = found("oscillator-slip", &oscillator(general, r"x_0\cos\omega t - \frac{v_0}{\omega}\sin\omega t"));
     assert_eq!(wrong[2], "refuted", "{wrong:?}");
 }
+
+/// Another formula for a name is no slip for one in which a factor cancels.
+#[test]
+fn an_edit_whose_factor_cancels_is_none() {
+    let sound = |second: &str| {
+        format!(
+            "Newton used the isothermal value\n\n$$ c = \\sqrt{{\\frac{{p}}{{\\rho}}}} $$\n\nLaplace noticed that the \
+             compression is adiabatic, and so\n\n$$ c = {second} $$\n"
+        )
+    };
+    assert_ne!(found("sound", &sound(r"\sqrt{\frac{\gamma p}{\rho}}"))[1], "refuted");
+    assert_eq!(found("sound-slip", &sound(r"\sqrt{\frac{\rho}{p}}"))[1], "refuted");
+}

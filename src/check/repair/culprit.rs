@@ -195,14 +195,25 @@ impl<'c, 'a> WholeUsers<'c, 'a> {
     }
 }
 
-/// Whether a term of a sum cancels another one, as in x − x: nobody writes that.
-fn cancels(formula: &Expr, symbols: &Symbols) -> bool {
+/// Whether a term of a sum cancels another one, as in x − x, or a factor stands above and below a bar: nobody writes that.
+pub(crate) fn cancels(formula: &Expr, symbols: &Symbols) -> bool {
+    let shown = |part: &Expr| text::formula(part, symbols);
+    let factors = |part: &Expr| match &part.node {
+        Node::Product(factors) => factors.iter().map(shown).collect(),
+        _ => vec![shown(part)],
+    };
     let mut found = false;
-    formula.walk(&mut |part| {
-        let Node::Sum(terms) = &part.node else { return };
-        let shown: Vec<String> = terms.iter().map(|term| text::formula(&term.expr, symbols)).collect();
-        found |= (0..terms.len())
-            .any(|at| (0..at).any(|before| terms[before].sign != terms[at].sign && shown[before] == shown[at]));
+    formula.walk(&mut |part| match &part.node {
+        Node::Sum(terms) => {
+            let shown: Vec<String> = terms.iter().map(|term| shown(&term.expr)).collect();
+            found |= (0..terms.len())
+                .any(|at| (0..at).any(|before| terms[before].sign != terms[at].sign && shown[before] == shown[at]));
+        }
+        Node::Quotient(above, below) => {
+            let below = factors(below);
+            found |= factors(above).iter().any(|factor| below.contains(factor));
+        }
+        _ => {}
     });
     found
 }

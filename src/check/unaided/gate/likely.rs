@@ -10,7 +10,7 @@ use super::content::{FEWEST_SYMBOLS, is_content, occurrences, operations};
 use super::{Around, Basis, distinct, is_derived, is_foreign, leaves, symbols_of};
 use crate::check::kinds::series::has_rest;
 use crate::check::model::meaning::Meaning;
-use crate::check::repair::culprit::is_common;
+use crate::check::repair::culprit::{cancels, is_common};
 use crate::check::unaided::prose::Announced;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::Repair;
@@ -38,6 +38,18 @@ pub(in crate::check::unaided) fn is_likely(repair: &Repair, display: &Display, a
     let reading = read_display(&corrected, &mut symbols, &around.model.macros);
     if reading.statements.iter().any(Result::is_err) {
         return false;
+    }
+    // A factor above and below one bar is nothing that anybody writes.
+    let has_cancelling = |reading: &Reading, symbols: &Symbols| {
+        let members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+        members.into_iter().any(|member| cancels(member, symbols))
+    };
+    if has_cancelling(&reading, &symbols) {
+        let mut known = around.model.symbols.clone();
+        let printed = read_display(&display.text, &mut known, &around.model.macros);
+        if !has_cancelling(&printed, &known) {
+            return false;
+        }
     }
     let edited = Span::new(place.start, place.start + repair.replacement.len());
     let correction = Correction {
