@@ -35,11 +35,13 @@ use crate::check::document::setup::Run;
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Options;
 use crate::check::unaided::contradictions;
+use crate::check::unaided::course::sought::Sought;
 use crate::check::unaided::gate;
 use crate::check::unaided::inline;
 use crate::check::unaided::ordered::{self, Ordered};
 use crate::check::unaided::premises::{self, Premise, Said};
-use crate::check::unaided::prose::{self, Words};
+use crate::check::unaided::prose;
+use crate::check::unaided::prose::contrasts::Cases;
 use crate::check::unaided::scope::Scope;
 use crate::check::unaided::screen;
 use crate::check::unaided::signs::{self, Positive};
@@ -99,6 +101,7 @@ pub(super) fn judged_again(
         contradicted: Vec::new(),
         in_sentences: OnceLock::new(),
         ordered: ordered::letters(checker.notes, &checker.model.macros),
+        cases: Cases::of(checker.notes),
         before: known,
     };
     for at in 0..scope.carried {
@@ -144,20 +147,6 @@ fn with_options<'a>(checker: &Checker<'a>, explain: bool) -> Checker<'a> {
     Checker { options, units: checker.units.clone(), ..*checker }
 }
 
-/// What is before a display that it may follow from.
-struct Sought<'p> {
-    /// The words before it.
-    words: &'p Words,
-    /// The symbols that it relates.
-    symbols: &'p [SymbolId],
-    /// The sets of premises, the likeliest first.
-    sets: Vec<Vec<&'p Premise>>,
-    /// The display directly before it, where the words connect the two.
-    nearest: Option<Vec<&'p Premise>>,
-    /// The names that are positive, where it has a root of their squares.
-    positive: Option<Positive>,
-}
-
 /// The way through the displays.
 pub(super) struct Course<'c, 'a> {
     run: &'c Run<'c>,
@@ -187,6 +176,8 @@ pub(super) struct Course<'c, 'a> {
     in_sentences: OnceLock<Vec<examples::Given>>,
     /// The letters that may stand for vectors and matrices.
     ordered: Vec<Ordered>,
+    /// The cases that the words name.
+    cases: Cases,
     /// The findings that are known already.
     before: &'c (dyn Fn(usize) -> Option<Equation> + Sync),
 }

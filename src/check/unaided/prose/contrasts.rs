@@ -1,6 +1,6 @@
 //! Words that name one of several cases, of which a display is about one: "two resistors in series", and later "two in parallel".
 //!
-//! Offers `differ`, whether two displays are about cases that exclude each other. Knows notes and the words of prose.
+//! Offers `Cases`, which tells whether two displays are about cases that exclude each other. Knows notes and the words of prose.
 
 use crate::check::document::inferred::prose::words_between;
 use crate::check::unaided::inline::is_inline;
@@ -19,32 +19,43 @@ const CASES: [&[&str]; 9] = [
     &["bosons", "fermions"],
 ];
 
-/// Whether the words before two displays name cases that exclude each other. A display without such words is about the case of the one
-/// before it.
-pub(in crate::check::unaided) fn differ(notes: &Notes, one: usize, other: usize) -> bool {
-    CASES.iter().any(|row| match (named(notes, one, row), named(notes, other, row)) {
-        (Some(a), Some(b)) => a != b && !is_of_one_stem(row[a], row[b]),
-        _ => false,
-    })
+/// The cases that the words before displays name.
+pub(in crate::check::unaided) struct Cases {
+    /// By the place of a display, the case of each row. A display without such words is about the case of the one before it; where the
+    /// words name several cases, none is meant.
+    named: Vec<[Option<usize>; CASES.len()]>,
 }
 
-/// The case of a row that the words before a display name, or those before the last display for which they name one. Where they name
-/// several, none is meant.
-fn named(notes: &Notes, at: usize, row: &[&str]) -> Option<usize> {
-    let displays = &notes.equations;
-    let is_printed = |place: &usize| !is_inline(notes, &displays[*place]);
-    let mut end = at;
-    loop {
-        let before = (0..end).rev().find(is_printed);
-        let start = before.map_or(0, |place| displays[place].span.end);
-        let stop = displays[end].span.start.max(start);
-        let words = words_between(notes, start, stop);
-        let mut found = row.iter().enumerate().filter(|(_, case)| words.iter().any(|word| word == *case));
-        match (found.next(), found.next()) {
-            (Some((case, _)), None) => return Some(case),
-            (Some(_), Some(_)) => return None,
-            (None, _) => end = before?,
+impl Cases {
+    /// The cases that notes name.
+    pub fn of(notes: &Notes) -> Cases {
+        let (mut now, mut end) = ([None; CASES.len()], 0);
+        let mut named = Vec::new();
+        for display in &notes.equations {
+            if !is_inline(notes, display) {
+                let words = words_between(notes, end, display.span.start);
+                for (case, row) in now.iter_mut().zip(CASES) {
+                    let mut found = row.iter().enumerate().filter(|(_, case)| words.iter().any(|word| word == *case));
+                    match (found.next(), found.next()) {
+                        (Some((at, _)), None) => *case = Some(at),
+                        (Some(_), Some(_)) => *case = None,
+                        (None, _) => {}
+                    }
+                }
+                end = end.max(display.span.end);
+            }
+            named.push(now);
         }
+        Cases { named }
+    }
+
+    /// Whether the words before two displays name cases that exclude each other.
+    pub fn differ(&self, one: usize, other: usize) -> bool {
+        let (Some(one), Some(other)) = (self.named.get(one), self.named.get(other)) else { return false };
+        one.iter().zip(other).zip(CASES).any(|cases| match cases {
+            ((Some(a), Some(b)), row) => a != b && !is_of_one_stem(row[*a], row[*b]),
+            _ => false,
+        })
     }
 }
 

@@ -40,8 +40,7 @@ const BEFORE: [&str; 20] = [
 const SUBJECTS: [&str; 6] = ["this", "that", "it", "which", "these", "das"];
 
 /// Words before such a subject.
-const OPENINGS: [&str; 12] =
-    ["but", "however", "yet", "and", "of", "course", "obviously", "clearly", "now", "for", "the", "period"];
+const OPENINGS: [&str; 9] = ["but", "however", "yet", "and", "of", "course", "obviously", "clearly", "now"];
 
 /// What a sentence after a formula says of it.
 const AFTER: [&str; 16] = [

@@ -7,7 +7,6 @@ use crate::check::document::inferred::prose::{sentence_start, words_between};
 use crate::check::unaided::course::Course;
 use crate::check::unaided::inline;
 use crate::check::unaided::premises::Premise;
-use crate::check::unaided::prose::contrasts;
 use crate::formula::{Expr, Node, SymbolId};
 
 /// Words with which the sentence of a special case begins or that stand in it.
@@ -46,8 +45,7 @@ impl Course<'_, '_> {
         };
         before.retain(|premise| {
             let mut places = std::iter::once(&premise.at).chain(&premise.from);
-            named.contains(&premise.at)
-                || !places.any(|place| is_general(*place) && contrasts::differ(self.checker.notes, *place, at))
+            named.contains(&premise.at) || !places.any(|place| is_general(*place) && self.cases.differ(*place, at))
         });
     }
 

@@ -28,6 +28,13 @@ impl Course<'_, '_> {
         let (checker, model) = (self.checker, self.checker.model);
         let members = checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
         let printed: Vec<_> = members.flat_map(Expr::symbols).map(|(id, _)| id).collect();
+        let is_printed = |name: &str| {
+            let found = names::parse(name).and_then(|(name, _)| model.symbols.find(&name));
+            found.is_some_and(|(id, _)| printed.contains(&id))
+        };
+        if !CONSTANTS.into_iter().any(is_printed) {
+            return false;
+        }
         let end = checker.notes.equations[at].span.start;
         let inline = checker.notes.inline.iter().filter(|span| span.end <= end);
         let said = inline.filter_map(|span| Some(checker.notes.source.slice(body_of(checker.notes, *span)?)));
@@ -35,10 +42,7 @@ impl Course<'_, '_> {
         said.filter_map(|text| text.trim().trim_end_matches(['.', ',']).trim_end().strip_suffix('1')).any(|text| {
             let Some(names) = text.trim_end().strip_suffix('=') else { return false };
             let names = names.split('=').map(str::trim);
-            names.clone().all(|name| CONSTANTS.contains(&name))
-                && names
-                    .filter_map(|name| names::parse(name).and_then(|(name, _)| model.symbols.find(&name)))
-                    .any(|(id, _)| printed.contains(&id))
+            names.clone().all(|name| CONSTANTS.contains(&name)) && names.into_iter().any(is_printed)
         })
     }
 }
