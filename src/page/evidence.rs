@@ -22,7 +22,7 @@ pub(super) fn short(item: &Equation) -> Markup {
             (Verdict::Certified, None) => "decided exactly",
             (Verdict::Verified, _) if finding.points > 1 => { "holds at " (finding.points) " sampled states" },
             (Verdict::Definition, _) => "defines a symbol",
-            (Verdict::Refuted, _) if item.ok => "wrong, as the claims file expects",
+            (Verdict::Refuted, _) if item.ok => "refuted, as the claims file expects",
             (Verdict::Law, _) => "taken for granted",
             (Verdict::Assumed, _) => "not checked",
             _ => {}

@@ -345,7 +345,7 @@ fn a_name_for_a_moving_combination_is_tested_by_a_linear_equation_except_for_its
     };
     let found = of(r"q = x\, e^{\gamma t/2}");
     assert!(found.equations.iter().all(|equation| equation.ok), "{:?}", found.equations[1].finding);
-    assert!(found.equations[1].finding.message.contains("its factor"), "{:?}", found.equations[1].finding);
+    assert!(found.equations[1].finding.message.contains("a wrong factor"), "{:?}", found.equations[1].finding);
     // The twins: a slip in it, and a name of one thing that moves, of which the factor is all.
     assert_eq!(of(r"q = x\, e^{\gamma t}").equations[2].finding.verdict, Refuted);
     let harmonic = r"L = \frac12 m\dot x^2 - \frac12 k x^2";

@@ -78,7 +78,7 @@ fn a_letter_of_a_period_may_be_a_kinetic_energy() {
         r#"{ "notes": "p.md", "coordinates": { "x": "any" }, "constants": { "m, k": "> 0" }, "means": { "L": "Lagrangian" },
             "rubric": { "results": { "2": 1 } } }"#,
     );
-    assert_eq!(marks("energy", problem, "$$ T = \\frac12 m \\dot x^2 $$\n"), ["undecided"]);
+    assert_eq!(marks("energy", problem, "$$ T = \\frac12 m \\dot x^2 $$\n"), ["given"]);
     // The twin: another period.
     assert_eq!(marks("energy-false", problem, "$$ T = \\pi \\sqrt{\\frac{m}{k}} $$\n"), ["wrong"]);
 }

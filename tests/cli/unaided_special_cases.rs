@@ -104,6 +104,11 @@ fn a_relation_of_one_case_does_not_hold_in_another() {
     };
     assert_eq!(found("series", &circuit("Then"))[2], "certified");
     assert_ne!(found("parallel", &circuit("Two in parallel:"))[2], "certified");
+    // In a sentence a case may hold for what follows, or at one place alone; so nothing is called wrong beside it.
+    let same = LENS
+        .replace(r"R_1 = R$ and $R_2 = -R$, so that", r"R_1 = R_2$, so that")
+        .replace(r"\frac{2(n-1)}{R}", r"(n-1)\left(\frac{1}{R_2} - \frac{1}{R_1}\right)");
+    assert_eq!(found("same", &same)[1], "assumed");
     // Where the words speak of both, and where they cite the relation, it may be used.
     assert_eq!(found("both", &circuit("In parallel it is less than in series, which gives"))[2], "certified");
 }

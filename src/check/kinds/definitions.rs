@@ -85,7 +85,7 @@ pub fn check(
     let Tested { surviving, names, points, .. } = tested;
     let (code, except) = match except.is_empty() {
         true => (Code::Definition, String::new()),
-        false => (Code::DefinitionUpToSign, format!(", except {}", except.join(" and "))),
+        false => (Code::DefinitionUpToSign, format!(", except {}", listed(&except))),
     };
     match surviving.first() {
         _ if names.is_empty() => {
@@ -246,6 +246,14 @@ impl<'f> Tested<'f> {
             except.extend((self.surviving.len() < moved).then_some("one dot more on its coordinates"));
         }
         Ok(except)
+    }
+}
+
+/// Phrases in a row: "a wrong sign, a wrong factor and one dot more".
+fn listed(phrases: &[&str]) -> String {
+    match phrases {
+        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        _ => phrases.concat(),
     }
 }
 

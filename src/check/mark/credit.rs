@@ -3,6 +3,11 @@
 //! A slip costs points once: at the first result that it spoils. There the result gets half, if the rubric says so of that
 //! kind of slip, and else nothing. Later results that carry the slip on are given in full.
 
+use crate::check::document::setup::define_macros;
+use crate::check::usage::{Usage, names_of};
+use crate::latex::Macros;
+use crate::notes::Display;
+
 use super::judged::{Found, Judged};
 use super::marked::{Line, Mark, Reached, ResultMark};
 use super::problem::Problem;
@@ -95,9 +100,12 @@ impl Steps {
         };
         let is_step: Vec<bool> = lines.iter().map(is_step).collect();
         let (mut is_result, mut is_motion) = (vec![false; lines.len()], vec![false; lines.len()]);
-        for found in found.iter().flatten() {
+        let mut macros = Macros::default();
+        define_macros(&problem.notes.macros, &mut macros);
+        for (wanted, found) in problem.wanted.iter().zip(found) {
+            let Some(found) = found else { continue };
             for at in found.parts.iter().copied().chain([found.line]) {
-                is_result[at] |= !is_chain(&lines[at]);
+                is_result[at] |= !is_chain(&lines[at]) && !uses_others(problem, wanted.display, &lines[at], &macros);
                 is_motion[at] |= found.is_motion;
             }
         }
@@ -117,6 +125,20 @@ impl Steps {
         let leads = |at: usize| !self.is_list || self.is_motion[at] && self.is_result[at];
         before.is_some_and(leads) || is_chain(&lines[line]) || is_first && (!self.is_list || found.is_motion)
     }
+}
+
+/// Whether a line reaches a result by other quantities of the problem than those in the display of the result, and so is no copy of it:
+/// ω = 2π/T for ω = √(k/m).
+fn uses_others(problem: &Problem, wanted: usize, line: &Line, macros: &Macros) -> bool {
+    let display = &problem.notes.equations[wanted];
+    let of = |text: String| names_of(&[Display { text, ..display.clone() }], macros);
+    // What stands in the middle of a chain is on the way to the result.
+    let (first, last) = (display.text.split('=').next(), display.text.rsplit('=').next());
+    let printed = of([first, last].map(Option::unwrap_or_default).join(" = "));
+    let is_other = |usage: &Usage| {
+        problem.names.symbols.find(&usage.name).is_some() && printed.iter().all(|other| other.name != usage.name)
+    };
+    of(line.statement.clone()).iter().any(is_other)
 }
 
 /// Whether a line is a chain, which leads to its last member.

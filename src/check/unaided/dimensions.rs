@@ -229,7 +229,7 @@ pub(super) fn are_spoilt(checker: &Checker<'_>, at: usize, repair: &Repair) -> b
 fn has_a_dimension(base: &str) -> bool {
     const GREEK: [&str; 10] =
         ["\\tau", "\\omega", "\\Omega", "\\lambda", "\\rho", "\\varrho", "\\mu", "\\hbar", "\\ell", "\\Phi"];
-    const MAY_BE_NUMBERS: [&str; 13] = ["n", "N", "i", "j", "e", "f", "u", "w", "x", "y", "z", "X", "Z"];
+    const MAY_BE_NUMBERS: [&str; 10] = ["n", "N", "i", "j", "e", "x", "y", "z", "X", "Z"];
     match base.starts_with('\\') {
         true => GREEK.contains(&base),
         false => !MAY_BE_NUMBERS.contains(&base),

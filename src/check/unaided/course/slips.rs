@@ -70,7 +70,7 @@ impl Course<'_, '_> {
             && !(is_supposed && (words.announced == Announced::Assumption || basis != Basis::Definitions));
         let is_general = !is_another_case && words.announced != Announced::Assumption;
         let may_be_a_factor = set.is_empty() && (is_general || !self.uses_definitions(at));
-        if !is_tried && !may_be_a_factor {
+        if !is_tried && !may_be_a_factor || self.stands_beside_another_value(at) && !self.is_by_itself(at) {
             return Ok(None);
         }
         let quick = self.equation(&self.quick, at, claim)?;

@@ -78,7 +78,7 @@ impl Course<'_, '_> {
         self.leave_out_replaced(origin, named, &mut before);
         self.leave_out_ended_cases(at, named, &mut before);
         self.leave_out_other_cases(at, named, &mut before);
-        self.leave_out_other_values(at, named, &mut before);
+        self.leave_out_other_values(at, &mut before);
         before.extend(self.in_states(at, &before));
         if self.checker.model.system.is_some() && !taken::is_static(self.checker, at) {
             before.clear();

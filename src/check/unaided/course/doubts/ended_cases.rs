@@ -51,27 +51,33 @@ impl Course<'_, '_> {
 
     /// Leaves out the values that do not hold where a display does: after "when `r = R`" a display with r and R is about every r, and one
     /// with c is not about units in which `c = 1`. In the middle of a chain stands what is put in.
-    pub(in crate::check::unaided::course) fn leave_out_other_values(
-        &self,
-        at: usize,
-        named: &[usize],
-        before: &mut Vec<Premise>,
-    ) {
-        let statements = self.checker.readings[at].statements.iter().flatten();
+    pub(in crate::check::unaided::course) fn leave_out_other_values(&self, at: usize, before: &mut Vec<Premise>) {
+        before.retain(|premise| {
+            let mut places = std::iter::once(&premise.at).chain(&premise.from);
+            !places.any(|place| self.has_another_value(*place, at))
+        });
+    }
+
+    /// Whether the sentences directly before a display give a value that does not hold where the display does. Nobody can tell from which
+    /// of them it follows then, so it is not called wrong.
+    pub(in crate::check::unaided::course) fn stands_beside_another_value(&self, at: usize) -> bool {
+        self.formulas_before(at).into_iter().any(|place| self.has_another_value(place, at))
+    }
+
+    /// Whether a formula in a sentence is a value that a display, with all its names at its ends, is not about.
+    fn has_another_value(&self, place: usize, at: usize) -> bool {
+        let (notes, readings) = (self.checker.notes, self.checker.readings);
+        let [Ok(statement)] = readings[place].statements.as_slice() else { return false };
+        if !inline::is_inline(notes, &notes.equations[place]) {
+            return false;
+        }
+        let names: Option<Vec<Option<SymbolId>>> = statement.members.iter().map(name_or_number).collect();
+        let names: Vec<SymbolId> = names.into_iter().flatten().flatten().collect();
+        let statements = readings[at].statements.iter().flatten();
         let ends =
             statements.flat_map(|statement| statement.members.first().into_iter().chain(statement.members.last()));
         let printed: Vec<SymbolId> = ends.flat_map(Expr::symbols).map(|(id, _)| id).collect();
-        let is_of_another = |place: usize| {
-            let [Ok(statement)] = self.checker.readings[place].statements.as_slice() else { return false };
-            let names: Option<Vec<Option<SymbolId>>> = statement.members.iter().map(name_or_number).collect();
-            let names: Vec<SymbolId> = names.into_iter().flatten().flatten().collect();
-            !names.is_empty() && names.iter().all(|id| printed.contains(id))
-        };
-        before.retain(|premise| {
-            let mut places = std::iter::once(&premise.at).chain(&premise.from);
-            // The sentences before a display name all formulas in them.
-            named.contains(&premise.at) && !premise.is_inline || !places.any(|place| is_of_another(*place))
-        });
+        !names.is_empty() && names.iter().all(|id| printed.contains(id))
     }
 
     /// The names that have another value in a special case that holds at a display, without saying so: after `r = n^2 a_0` it is n where,
