@@ -4,6 +4,8 @@
 //! statement is checked with a few small sets of premises, the likeliest first. A set is worth a check only if it can
 //! eliminate what the statement does not contain: n equalities eliminate at most n − 1 symbols and leave something to say.
 
+use crate::check::unaided::prose::Words;
+use crate::check::unaided::signs::Positive;
 use crate::formula::SymbolId;
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
@@ -56,6 +58,20 @@ pub(super) enum Said {
     Constant(String),
     /// A law in each of several states: its LaTeX in each.
     States(Vec<String>),
+}
+
+/// What is before a display that it may follow from.
+pub(super) struct Sought<'p> {
+    /// The words before it.
+    pub words: &'p Words,
+    /// The symbols that it relates.
+    pub symbols: &'p [SymbolId],
+    /// The sets of premises, the likeliest first.
+    pub sets: Vec<Vec<&'p Premise>>,
+    /// The display directly before it, where the words connect the two.
+    pub nearest: Option<Vec<&'p Premise>>,
+    /// The names that are positive, where it has a root of their squares.
+    pub positive: Option<Positive>,
 }
 
 /// The sets of premises that a statement with these symbols may follow from. `named` are the displays that the prose names.

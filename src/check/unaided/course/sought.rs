@@ -3,31 +3,15 @@
 use crate::Result;
 use crate::check::unaided::course::{Course, taken};
 use crate::check::unaided::gate;
-use crate::check::unaided::premises::{self, Premise};
+use crate::check::unaided::premises::{self, Premise, Sought};
 use crate::check::unaided::prose::{self, Announced, Words};
-use crate::check::unaided::signs::Positive;
 use crate::check::unaided::solutions::Solution;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
-use crate::formula::SymbolId;
 use crate::notes::claims::Claim;
 
 /// The most relations that a display with a slip is taken to solve.
 pub(super) const SOLVED_WITH_A_SLIP: usize = 2;
-
-/// What is before a display that it may follow from.
-pub(super) struct Sought<'p> {
-    /// The words before it.
-    pub words: &'p Words,
-    /// The symbols that it relates.
-    pub symbols: &'p [SymbolId],
-    /// The sets of premises, the likeliest first.
-    pub sets: Vec<Vec<&'p Premise>>,
-    /// The display directly before it, where the words connect the two.
-    pub nearest: Option<Vec<&'p Premise>>,
-    /// The names that are positive, where it has a root of their squares.
-    pub positive: Option<Positive>,
-}
 
 impl Course<'_, '_> {
     /// The finding on a display that needs nothing before it: on numbers, on an example, on a value in a special case, or on ≈.
