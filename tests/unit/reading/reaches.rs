@@ -10,7 +10,7 @@ fn a_sum_reaches_over_the_signs_that_bind_as_a_product() {
         ("S = \\sum_i a_i \\odot b_i + c", "S = Σ_{i}(a_i ⊙ b_i) + c"),
         ("S = c \\otimes \\sum_i a_i \\otimes b_i", "S = c ⊗ Σ_{i}(a_i ⊗ b_i)"),
         ("S = \\int \\sigma : \\epsilon \\, dV", "S = ∫((σ : ϵ)·dV)"),
-        ("E = \\lim_{n\\to\\infty} a_n \\otimes b_n", "E = lim_{n → ∞}(a_n ⊗ b_n)"),
+        ("E = \\lim_{n \\to \\infty} a_n \\otimes b_n", "E = lim_{n → ∞}(a_n ⊗ b_n)"),
         ("S = a \\otimes b", "S = a ⊗ b"),
     ]);
     are_refused(&["\\nabla \\cdot \\vec a \\otimes \\vec b = 0"]);

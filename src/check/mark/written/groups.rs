@@ -47,7 +47,7 @@ mod tests {
     fn groups_with_primes_are_found() {
         let of = |text: &str| primed_groups(text).into_iter().map(|(open, _, order)| (open, order)).collect::<Vec<_>>();
         assert_eq!(of("(x + y)'' = 0"), [(0, 2)]);
-        assert_eq!(of(r"m \left(x + y\right)' = 0"), [(2, 1)]);
+        assert_eq!(of(r"2 \left(x + y\right)' = 0"), [(2, 1)]);
         // The twins: an argument, a group without primes, three primes.
         for text in ["f(x)' = 0", r"\sin(x)'", "(x + y) = x'", "(x)'''"] {
             assert!(of(text).is_empty(), "{text}");

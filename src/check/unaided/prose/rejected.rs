@@ -125,7 +125,8 @@ fn rejects(words: &[String]) -> bool {
     if !SUBJECTS.contains(&words[subject].as_str()) {
         return false;
     }
-    let rest = &words[subject + 1..];
+    let rest: Vec<&str> =
+        words[subject + 1..].iter().map(String::as_str).filter(|word| !OPENINGS.contains(word)).collect();
     (0..=BETWEEN.min(rest.len())).any(|skipped| {
         let said = rest[skipped..].join(" ");
         let restricts = |after: &str| RESTRICTIONS.iter().any(|word| after.split(' ').next() == Some(word));
