@@ -20,7 +20,7 @@ const CASES: [&[&str]; 9] = [
 ];
 
 /// The cases that the words before displays name.
-pub(in crate::check::unaided) struct Cases {
+pub(crate) struct Cases {
     /// By the place of a display, the case of each row. A display without such words is about the case of the one before it; where the
     /// words name several cases, none is meant.
     named: Vec<[Option<usize>; CASES.len()]>,
