@@ -27,23 +27,24 @@ pub(super) fn divided<'a>(items: &[&'a Item]) -> (Vec<&'a Item>, Vec<&'a Item>) 
     let (Some((at, _)), None) = (arrows.next(), arrows.next()) else { return whole() };
     let (before, after) = (&items[..at], &items[at + 1..]);
     let relations: Vec<Relation> = before.iter().filter_map(|item| relation(item)).collect();
-    // `x \in A \Rightarrow f(x) = 0`
-    let is_sign = |item: &&&Item| matches!(&item.layout, Layout::Command(name) if ["\\in", "\\notin", "\\subset"].contains(&name.as_str()));
-    let is_membership = relations.is_empty() && before.iter().filter(is_sign).count() == 1;
-    let only = match relations.as_slice() {
-        [only] => *only,
-        _ if is_membership => Relation::NotEqual,
-        _ => return whole(),
-    };
     let compares = |relation: &Relation| {
         matches!(
             relation,
             Relation::Less | Relation::Greater | Relation::LessEqual | Relation::GreaterEqual | Relation::NotEqual
         )
     };
+    // `x \in A \Rightarrow f(x) = 0`
+    let is_sign = |item: &&&Item| {
+        let signs = ["\\in", "\\notin", "\\subset"];
+        matches!(&item.layout, Layout::Command(name) if signs.contains(&name.as_str()))
+    };
+    let restricts = match relations.as_slice() {
+        [only] => compares(only),
+        [] if before.iter().filter(is_sign).count() == 1 => true,
+        _ => return whole(),
+    };
     // Of one inequality another one is a consequence: N \le \mu F \Rightarrow \mu \ge N/F.
-    let is_comparison =
-        compares(&only) && !after.iter().filter_map(|item| relation(item)).any(|other| compares(&other));
+    let is_comparison = restricts && !after.iter().filter_map(|item| relation(item)).any(|other| compares(&other));
     let is_for_all = after.iter().any(|item| matches!(&item.layout, Layout::Command(name) if name == "\\forall"));
     let is_whole = !before.iter().any(|item| separates(item) && is_significant(&item));
     let starts_with_a_side = before.iter().find(is_significant).is_some_and(|first| relation(first).is_none());

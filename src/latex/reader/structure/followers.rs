@@ -1,8 +1,9 @@
 //! What follows a factor and belongs to it: a factorial, further indices, a list of arguments, dots for further decimals.
 
 use crate::formula::tree::Expr;
-use crate::source::Fault;
+use crate::source::{Fault, Span};
 
+use super::super::super::arguments::is_comma;
 use super::super::super::layout::{Delimiter, Item, Layout};
 use super::super::super::names;
 use super::super::state::{Read, Reader};
@@ -51,7 +52,6 @@ impl Reader<'_> {
 
     /// `(\nabla_v g)(V, W)`: what stands in a parenthesis is a function of the list after it, which cannot be a factor.
     fn applied_to_a_list(&mut self, factor: Expr, items: &[Item], cursor: &mut usize) -> Read<Expr> {
-        let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
         let before = cursor.checked_sub(1).map(|at| &items[at]).filter(|before| is_parenthesis(before));
         let (Some(before), Some(Item { layout: Layout::Fence(Delimiter::Round, inside), span })) =
             (before, items.get(*cursor))
@@ -65,13 +65,23 @@ impl Reader<'_> {
             return Ok(factor);
         }
         *cursor += 1;
-        let whole = factor.span.to(*span);
-        let mut parts = vec![factor];
+        self.with_arguments(factor, (inside, *span), ("(#)(", ")"))
+    }
+
+    /// A function before the list of its arguments; `open` begins with the hole of the function.
+    fn with_arguments(
+        &mut self,
+        function: Expr,
+        (inside, span): (&[Item], Span),
+        (open, close): (&str, &str),
+    ) -> Read<Expr> {
+        let whole = function.span.to(span);
+        let mut parts = vec![function];
         for argument in inside.split(is_comma) {
-            parts.push(self.sum(argument, *span)?);
+            parts.push(self.sum(argument, span)?);
         }
         let holes = vec!["#"; parts.len() - 1].join(", ");
-        Ok(self.template(&format!("(#)({holes})"), parts, whole))
+        Ok(self.template(&format!("{open}{holes}{close}"), parts, whole))
     }
 
     /// `n!`, at the exclamation mark.
@@ -106,25 +116,18 @@ impl Reader<'_> {
         else {
             return Ok(factor);
         };
-        let is_comma = |item: &Item| matches!(item.layout, Layout::Other(',' | ';'));
         let is_name =
             matches!(inside.as_slice(), [only] if names::printed(only, None).is_some_and(|found| found.sup.is_none()));
         let (open, close) = match delimiter {
-            Delimiter::Round => ("(", ")"),
-            Delimiter::Square if is_name => ("[", "]"),
+            Delimiter::Round => ("#(", ")"),
+            Delimiter::Square if is_name => ("#[", "]"),
             _ => return Ok(factor),
         };
         if before.span.end != span.start || !is_name && !inside.iter().any(is_comma) {
             return Ok(factor);
         }
         *cursor += 1;
-        let whole = factor.span.to(*span);
-        let mut parts = vec![factor];
-        for argument in inside.split(is_comma) {
-            parts.push(self.sum(argument, *span)?);
-        }
-        let holes = vec!["#"; parts.len() - 1].join(", ");
-        Ok(self.template(&format!("#{open}{holes}{close}"), parts, whole))
+        self.with_arguments(factor, (inside, *span), (open, close))
     }
 }
 
