@@ -122,3 +122,18 @@ fn an_edit_whose_factor_cancels_is_none() {
     // Which of two formulas with one fraction turned over is wrong, nobody can tell.
     assert_eq!(found("sound-slip", &sound(r"\sqrt{\frac{\rho}{p}}"))[1], "undecided");
 }
+
+/// A start is that of one solution. What is printed after it may be about another motion.
+#[test]
+fn a_start_is_used_up_by_its_solution() {
+    let stone = |first: &str| {
+        format!(
+            "$$ m v_0 = p $$\n\n$$ \\dot v = -g $$\n\nThe stone is dropped, $v(0) = 0$:\n\n$$ v = {first} $$\n\n\
+             Thrown upwards it has\n\n$$ v = v_0 - gt $$\n"
+        )
+    };
+    let right = found("stone", &stone("-gt"));
+    assert_eq!(right[2..], ["certified", "certified"], "{right:?}");
+    // The twin: directly after the start it is not its solution.
+    assert_eq!(found("stone-slip", &stone("v_0 - gt"))[2], "undecided");
+}

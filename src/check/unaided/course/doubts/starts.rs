@@ -1,8 +1,9 @@
 //! Printed solutions that solve their equation of motion, and do not start where the notes say: `v = \frac{mg}{k}(1 + e^{-kt/m})` after
 //! `v(0) = 0`.
 //!
-//! A start is a formula in a sentence or in a display before the solution, and the last one counts. A constant that no display before the
-//! solution has is one of integration, and may have any value.
+//! A start is a formula in a sentence or in a display before the solution, in its section, and the last one counts. It is that of one
+//! solution: after this another motion may be meant. A constant that no display before the solution has is one of integration, and may
+//! have any value.
 
 use crate::Result;
 use crate::check::document::checker::Checker;
@@ -15,7 +16,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::code::Code;
-use crate::formula::{Expr, Node, SymbolId, Value, text};
+use crate::formula::{Expr, Node, Statement, SymbolId, Value, text};
 use crate::latex::read_display;
 use crate::notes::claims::{Claim, Spanned};
 use crate::source::Span;
@@ -45,15 +46,12 @@ impl Course<'_, '_> {
             return Ok(found);
         }
         let [Ok(statement)] = self.checker.readings[at].statements.as_slice() else { return Ok(found) };
-        let ([first, .., formula], Some(id)) =
-            (statement.members.as_slice(), statement.members.first().and_then(Expr::as_plain_symbol))
-        else {
-            return Ok(found);
-        };
-        let starts = self.starts(at, first);
+        let Some((id, formula)) = solution(statement) else { return Ok(found) };
+        let starts = self.starts(at, id);
         let mut broken = None;
         for start in &starts {
-            if !self.has_new_constants(at, id, formula, start) && self.agrees_at_0(formula, start)? == Some(false) {
+            if !self.has_new_constants(at, id, formula, Some(start)) && self.agrees_at_0(formula, start)? == Some(false)
+            {
                 broken = Some(start);
             }
         }
@@ -83,21 +81,24 @@ impl Course<'_, '_> {
     }
 
     /// The starts of a coordinate that the notes print before a display, each the last of its kind.
-    fn starts(&self, at: usize, coordinate: &Expr) -> Vec<Start> {
-        let (notes, model) = (self.checker.notes, self.checker.model);
-        let Some(id) = coordinate.as_plain_symbol() else { return Vec::new() };
-        let name = model.name(id);
+    fn starts(&self, at: usize, id: SymbolId) -> Vec<Start> {
+        let notes = self.checker.notes;
         let end = notes.equations[at].span.start;
+        let section = self.scope.section_of(self.scope.origin_of(at, notes.equations.len()));
+        let is_before = |place: &usize| notes.equations[*place].span.end <= end;
+        let is_used = |place: &usize| *place < section || self.is_solved_in(*place, id);
+        let used = (0..at).filter(is_before).filter(is_used).map(|place| notes.equations[place].span.end);
+        let first = used.max().unwrap_or(0);
         let mut spans: Vec<Span> = notes.inline.iter().filter_map(|span| body_of(notes, *span)).collect();
         spans.extend(notes.equations[..at].iter().map(|display| display.body));
-        spans.retain(|span| span.end <= end);
+        spans.retain(|span| first <= span.start && span.end <= end);
         spans.sort_by_key(|span| span.start);
         let mut found: Vec<Start> = Vec::new();
         for text in spans.iter().rev().map(|span| notes.source.slice(*span)) {
             for part in
                 text.split([',', ';']).flat_map(|part| part.split("\\quad")).flat_map(|part| part.split("\\qquad"))
             {
-                let Some(start) = self.start_in(part, &name) else { continue };
+                let Some(start) = self.start_in(part, id) else { continue };
                 if found.iter().all(|known| known.dots != start.dots) {
                     found.push(start);
                 }
@@ -106,19 +107,30 @@ impl Course<'_, '_> {
         found
     }
 
+    /// Whether a display prints a solution for a coordinate in which no constant is left open.
+    fn is_solved_in(&self, at: usize, id: SymbolId) -> bool {
+        let [Ok(statement)] = self.checker.readings[at].statements.as_slice() else { return false };
+        solution(statement).is_some_and(|(solved, formula)| {
+            solved == id
+                && solutions::is_printed(self.checker, at, &Claim::default())
+                && !self.has_new_constants(at, id, formula, None)
+        })
+    }
+
     /// The start that a formula prints: `x(0) = x_0`, `\dot x(t=0) = 0`.
-    fn start_in(&self, part: &str, name: &str) -> Option<Start> {
+    fn start_in(&self, part: &str, id: SymbolId) -> Option<Start> {
+        let model = self.checker.model;
+        let name = model.name(id);
         let bare = |text: &str| text.chars().filter(|c| !c.is_whitespace() && !"{}".contains(*c)).collect::<String>();
         let place = ["(0)", "(t=0)", "_t=0"].into_iter().find(|place| bare(part).contains(place))?;
         let (left, value) = part.rsplit_once('=').filter(|(left, _)| !left.trim().is_empty())?;
         let left = bare(left);
         let quantity = left.strip_suffix(place)?;
         let dots = match quantity.strip_prefix("\\dot") {
-            Some(rest) if rest == bare(name) => 1,
-            None if quantity == bare(name) => 0,
+            Some(rest) if rest == bare(&name) => 1,
+            None if quantity == bare(&name) => 0,
             _ => return None,
         };
-        let model = self.checker.model;
         let value = value.trim().trim_end_matches('.');
         let mut symbols = model.symbols.clone();
         let reading = read_display(value, &mut symbols, &model.macros);
@@ -126,17 +138,19 @@ impl Course<'_, '_> {
             return None;
         };
         let [value] = statement.members.as_slice() else { return None };
-        Some(Start { dots, value: value.clone(), text: text::plain(part.trim().trim_end_matches('.')) })
+        let quantity = Expr::new(Node::Symbol { id, indices: Vec::new(), dots }, Span::default());
+        let [quantity, shown] = [&quantity, value].map(|formula| text::formula(formula, &model.symbols));
+        Some(Start { dots, value: value.clone(), text: format!("{quantity}(0) = {shown}") })
     }
 
     /// Whether a solution has a constant that stands neither in a display before it nor in the start.
-    fn has_new_constants(&self, at: usize, coordinate: SymbolId, formula: &Expr, start: &Start) -> bool {
+    fn has_new_constants(&self, at: usize, coordinate: SymbolId, formula: &Expr, start: Option<&Start>) -> bool {
         let model = self.checker.model;
         let mut leaves = gate::leaves(formula, model).into_iter();
         leaves.any(|id| {
             let is_time = matches!(model.meaning(id), Some(Meaning::Time));
             let is_known = self.seen.get(&id).is_some_and(|first| *first < at)
-                || start.value.symbols().iter().any(|(other, _)| *other == id);
+                || start.is_some_and(|start| start.value.symbols().iter().any(|(other, _)| *other == id));
             id != coordinate && !is_time && !is_known
         })
     }
@@ -175,4 +189,10 @@ impl Course<'_, '_> {
             _ => None,
         })
     }
+}
+
+/// The coordinate on the left side of a statement, and the last formula for it.
+fn solution(statement: &Statement) -> Option<(SymbolId, &Expr)> {
+    let [first, .., formula] = statement.members.as_slice() else { return None };
+    first.as_plain_symbol().map(|id| (id, formula))
 }
