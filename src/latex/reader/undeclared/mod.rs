@@ -154,7 +154,8 @@ pub(super) fn simple_text(items: &[Item]) -> Option<String> {
                 if ["\\neq", "\\in", "\\leq", "\\geq", "\\infty", "\\rightarrow", "\\dots"]
                     .contains(&name.as_str()) =>
             {
-                text.push_str(&format!(" {name} "));
+                let between = if text.ends_with(' ') { "" } else { " " };
+                text.push_str(&format!("{between}{name} "));
             }
             Layout::Command(name) if name == "\\partial" => text.push_str("\\partial "),
             Layout::Text(word) => text.push_str(word),
