@@ -97,6 +97,8 @@ mod unaided_causes;
 mod unaided_chains;
 #[path = "cli/unaided_chapters.rs"]
 mod unaided_chapters;
+#[path = "cli/unaided_conclusions.rs"]
+mod unaided_conclusions;
 #[path = "cli/unaided_contradictions.rs"]
 mod unaided_contradictions;
 #[path = "cli/unaided_differentials.rs"]

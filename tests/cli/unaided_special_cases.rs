@@ -112,3 +112,37 @@ fn a_relation_of_one_case_does_not_hold_in_another() {
     // Where the words speak of both, and where they cite the relation, it may be used.
     assert_eq!(found("both", &circuit("In parallel it is less than in series, which gives"))[2], "certified");
 }
+
+/// The verdict on a display about a case that the sentence before it states by values.
+fn stated(name: &str, law: &str, words: &str, result: &str) -> String {
+    let notes = format!("$$ {law} $$\n\n{words}\n\n$$ {result} $$\n");
+    found(&format!("stated-{name}"), &notes).pop().expect("a verdict")
+}
+
+#[test]
+fn a_value_in_the_sentence_decides_what_a_law_says_there() {
+    let compton = r"\lambda' - \lambda = \frac{h}{mc} (1 - \cos\theta)";
+    let film = r"2 n d = \left(m + \frac12\right)\lambda";
+    let height = r"p = p_0 e^{-z/H}";
+    let gamma = r"\gamma = \frac{1}{\sqrt{1-\beta^2}}";
+    for (law, words, right, wrong) in [
+        (
+            compton,
+            r"Backwards scattering, $\theta = \pi$:",
+            r"\lambda' - \lambda = \frac{2h}{mc}",
+            r"\lambda' - \lambda = \frac{h}{mc}",
+        ),
+        (film, "The thinnest bright film ($m = 0$):", r"d = \frac{\lambda}{4n}", r"d = \frac{\lambda}{2n}"),
+        (height, r"The pressure is $p = \frac12p_0$ at", r"z = H\ln 2", r"z = \frac H2"),
+        (gamma, r"At $\beta = \frac35$ we have", r"\gamma = \frac54", r"\gamma = \frac53"),
+    ] {
+        let passes = stated("right", law, words, right);
+        assert!(["certified", "verified"].contains(&passes.as_str()), "{right}: {passes}");
+        assert_eq!(stated("wrong", law, words, wrong), "refuted", "{wrong}");
+    }
+    // A value of what the law does not contain says nothing about it, nor does a sentence before the last one.
+    assert_ne!(stated("other", film, "For a thick film ($k = 0$):", r"d = \frac{\lambda}{2n}"), "refuted");
+    assert_ne!(stated("before", film, "We had $m = 0$. The next film has", r"d = \frac{3\lambda}{2n}"), "refuted");
+    // Another quantity of the case is none of the law.
+    assert_ne!(stated("new", height, r"The pressure is $p = \frac12p_0$ at", r"z_1 = \frac H2"), "refuted");
+}

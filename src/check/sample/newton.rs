@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use num_dual::{Dual, Dual64};
 
 use crate::Result;
-use crate::formula::{Relation, SymbolId, Value};
+use crate::formula::{Expr, Node, Relation, SymbolId, Value};
 use crate::scalar::RunningError;
 
 use crate::check::model::claim::Hypothesis;
@@ -172,7 +172,7 @@ impl<'m> Projection<'m> {
         let n = columns.len();
         let planned = DMatrix::from_fn(n, n, |i, j| columns[j][i].eps);
         let planned = (n > 0).then(|| planned.lu());
-        let (mut vanishing, mut other, mut outside): (Option<usize>, _, _) = (None, None, None);
+        let (mut vanishing, mut other, mut common, mut outside): (Option<usize>, _, _, _) = (None, None, None, None);
         for slot in candidates {
             if vanishing.is_some_and(|known| class(&self.slots[known]) > class(&self.slots[slot])) {
                 break;
@@ -193,20 +193,69 @@ impl<'m> Projection<'m> {
             if self.is_linear(base, row, slot, &moved)? {
                 // The planned numbers follow, so a number may go to 0 although the row alone leaves it elsewhere.
                 let goes_to = column.last().map_or(base[slot], |value| base[slot] - value.re / change);
-                let vanishes = goes_to.abs() <= 1e-9 * base[slot].abs();
-                let may_vanish = contains(&self.slots[slot].range, 0.0);
+                let is_zero = goes_to.abs() <= 1e-9 * base[slot].abs();
+                let is_common = self.is_common_factor(base, row, (slot, goes_to), &moved)?;
+                let vanishes = is_zero || is_common;
+                let may_vanish = contains(&self.slots[slot].range, if is_zero { 0.0 } else { goes_to });
                 if !vanishes || may_vanish && !self.is_limited() {
                     return Ok(Some(slot));
                 }
                 // l (a − b) = 0 says that a = b: a number that has to vanish is a common factor, and comes after the others
                 // of its class.
-                let last = if may_vanish { &mut vanishing } else { &mut outside };
+                let last = match may_vanish {
+                    true if is_common => &mut common,
+                    true => &mut vanishing,
+                    false => &mut outside,
+                };
                 *last = last.or(Some(slot));
                 continue;
             }
             other = other.or(Some(slot));
         }
-        Ok(vanishing.or(other).or(outside))
+        Ok(vanishing.or(other).or(common).or(outside))
+    }
+
+    /// Whether a factor of all terms of a row vanishes where a number has the value that solves it: (m + M)(½ V² − g h) = 0 says nothing
+    /// of M. There the row depends no more on the numbers of the other factors. `follow` is as for [`Self::is_linear`].
+    fn is_common_factor(
+        &self,
+        base: &[f64],
+        row: Row,
+        (slot, value): (usize, f64),
+        follow: &DVector<f64>,
+    ) -> Result<bool> {
+        let (Some(symbol), hypothesis) = (self.slots[slot].symbol, &self.hypotheses[row.0]) else { return Ok(false) };
+        // A name stands for its formula.
+        let contains = |part: &Expr, id: SymbolId| self.model.depends_on(part, &[id]);
+        let times = |side: &Expr| {
+            let mut times = 0;
+            side.walk(&mut |part| {
+                times += usize::from(matches!(&part.node, Node::Symbol { .. }) && contains(part, symbol));
+            });
+            times
+        };
+        // A common factor stands in more than one term.
+        if row.1 > 0 || times(&hypothesis.lhs) + times(&hypothesis.rhs) < 2 {
+            return Ok(false);
+        }
+        let step = value - base[slot];
+        let mut solved = base.to_vec();
+        solved[slot] = value;
+        for ((_, planned), change) in self.record.plan.iter().zip(follow.iter()) {
+            solved[*planned] -= step * change;
+        }
+        let concerns = |id: SymbolId| contains(&hypothesis.lhs, id) || contains(&hypothesis.rhs, id);
+        let others = (1..self.slots.len()).filter(|at| *at != slot);
+        for other in others.filter(|at| self.slots[*at].symbol.is_some_and(concerns)) {
+            let (Some(before), Some(after)) = (self.column(base, other, &[row])?, self.column(&solved, other, &[row])?)
+            else {
+                return Ok(false);
+            };
+            if before[0].eps.abs() > 0.0 && after[0].eps.abs() <= NEAR_ZERO * before[0].eps.abs() {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// The rows with their derivatives by one number of the base.

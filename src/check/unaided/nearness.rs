@@ -127,6 +127,10 @@ impl Course<'_, '_> {
             sentence += &format!(" ${remark}$");
         }
         let Some((mut conditions, are_named)) = self.conditions(&link, &sentence) else { return Ok(None) };
+        // v ≪ c is that v is small. That c is large as well compares the first terms only.
+        if are_named && conditions.iter().any(|condition| condition.is_ordered) {
+            conditions.retain(|condition| condition.is_ordered);
+        }
         let mut ratios = Vec::new();
         for condition in &conditions {
             ratios.push(self.ratio(&link, condition)?);
@@ -143,17 +147,18 @@ impl Course<'_, '_> {
         let words = prose::before(self.checker.notes, origin);
         let lower = sentence.to_lowercase();
         let has_symbols = |side: &Expr| !side.symbols().is_empty();
+        // Where the first terms agree and a later one does not, that one may be wrong.
+        let is_later = |(condition, ratio): (&Condition, &Option<f64>)| condition.is_ordered && tends_to_one(ratio);
+        let later: Vec<bool> = conditions.iter().zip(&ratios).map(is_later).collect();
         // ε ≪ kT ≪ Δ is no limit, and near a resonance formulas agree that differ far from it.
         let is_between = sentence.matches("\\ll").count() + sentence.matches("\\gg").count() > 1;
-        if is_between || self.meet_somewhere(&link)? {
+        let has_named_order = are_named && later.contains(&true);
+        if is_between || !has_named_order && self.meet_somewhere(&link)? {
             return Ok(None);
         }
         if ROUGH.iter().any(|word| lower.contains(word)) || !has_symbols(&link.lhs) || !has_symbols(&link.rhs) {
             return Ok(None);
         }
-        // Where the first terms agree and a later one does not, that one may be wrong.
-        let is_later = |(condition, ratio): (&Condition, &Option<f64>)| condition.is_ordered && tends_to_one(ratio);
-        let later: Vec<bool> = conditions.iter().zip(&ratios).map(is_later).collect();
         if later.contains(&true) {
             let mut later = later.into_iter();
             conditions.retain(|_| later.next() == Some(true));

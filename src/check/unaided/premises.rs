@@ -192,6 +192,11 @@ fn says_twice(premises: &[&Premise]) -> bool {
     premises.iter().any(|premise| matches!(premise.said, Said::Part(_)) && is_whole(premise.at))
 }
 
+/// The symbols that premises relate.
+pub(super) fn symbols<'s>(set: &'s [&Premise]) -> impl Iterator<Item = SymbolId> + 's {
+    set.iter().flat_map(|premise| premise.symbols.iter().copied())
+}
+
 /// The claim that a display follows from premises.
 pub(super) fn claim(premises: &[&Premise]) -> Claim {
     let said = |premise: &&Premise| match &premise.said {

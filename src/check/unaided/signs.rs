@@ -37,12 +37,7 @@ pub(super) fn positive(reading: &Reading, symbols: &[SymbolId], model: &Model) -
             };
         });
     }
-    let is_free = |id: &&SymbolId| {
-        let entry = model.symbols.entry(**id);
-        let is_one = model.constants.iter().any(|constant| constant.symbol == **id && constant.numbers == 1);
-        is_one && entry.coefficient.is_none() && model.range(**id) == Range::Any
-    };
-    let free = symbols.iter().filter(is_free);
+    let free = symbols.iter().filter(|id| is_free(**id, model));
     let (negative, positive): (Vec<SymbolId>, Vec<SymbolId>) = free.partition(|id| between_bars.contains(id));
     let named = |ids: Vec<SymbolId>| ids.into_iter().map(|id| model.name(id)).collect::<Vec<String>>();
     let (names, negative) = (named(positive), named(negative));
@@ -50,7 +45,29 @@ pub(super) fn positive(reading: &Reading, symbols: &[SymbolId], model: &Model) -
     (matters && count > 0 && count <= MOST).then_some(Positive { names, negative })
 }
 
+/// Whether a symbol is a constant that may have either sign.
+fn is_free(id: SymbolId, model: &Model) -> bool {
+    let entry = model.symbols.entry(id);
+    let is_one = model.constants.iter().any(|constant| constant.symbol == id && constant.numbers == 1);
+    is_one && entry.coefficient.is_none() && model.range(id) == Range::Any
+}
+
 impl Positive {
+    /// The same, with the constants of premises, on which the sign of a root may depend as well.
+    pub fn with(&self, symbols: impl Iterator<Item = SymbolId>, model: &Model) -> Positive {
+        let mut names = self.names.clone();
+        for id in symbols.filter(|id| is_free(*id, model)) {
+            let name = model.name(id);
+            if !names.contains(&name) && !self.negative.contains(&name) {
+                names.push(name);
+            }
+        }
+        if names.len() + self.negative.len() > MOST {
+            names.clone_from(&self.names);
+        }
+        Positive { names, negative: self.negative.clone() }
+    }
+
     /// The claim with these constants positive, or negative.
     pub fn added_to(&self, claim: &Claim) -> Claim {
         let mut claim = claim.clone();

@@ -10,9 +10,10 @@ use crate::latex::names;
 use crate::notes::{Display, Notes};
 
 /// Words that state a case.
-const CASES: [&str; 25] = [
+const CASES: [&str; 29] = [
     "let", "for", "if", "when", "where", "with", "set", "setting", "take", "taking", "choose", "choosing", "put",
-    "putting", "assume", "assuming", "suppose", "case", "since", "as", "has", "have", "because", "für", "pour",
+    "putting", "assume", "assuming", "suppose", "case", "since", "as", "has", "have", "because", "equal", "equals",
+    "balance", "balances", "für", "pour",
 ];
 
 /// Words for a place or an instant, at which other things hold than elsewhere.

@@ -307,6 +307,9 @@ impl Course<'_, '_> {
         if let Some(found) = self.solving(at, &solved)? {
             return Ok(gate::as_it_counts(found));
         }
+        if let Some(found) = self.in_stated_case(at, sought.positive.as_ref())? {
+            return Ok(found);
+        }
         if self.rests_on_doubt(at) && !self.is_by_itself(at)
             || self.hides_a_letter(at)
             || self.hidden_letter(at).is_some()
@@ -452,7 +455,7 @@ impl Course<'_, '_> {
         if found.is_none()
             && let Some(positive) = positive
         {
-            found = self.follows_where(at, positive, &claim)?;
+            found = self.follows_where(at, &positive.with(premises::symbols(set), self.checker.model), &claim)?;
         }
         Ok(found.map(|mut found| {
             let (message, set) = (found.finding.message, named(set));

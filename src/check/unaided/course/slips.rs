@@ -137,10 +137,13 @@ impl Course<'_, '_> {
         }
         // No author means an equation whose terms have different dimensions.
         repairs.retain(|repair| !dimensions::are_spoilt(checker, at, repair) && !self.spoils_its_chain(at, repair));
-        if repairs.is_empty() {
-            return Ok(None);
-        }
-        let mut found = Equation { repairs, ..self.equation(checker, at, claim)? };
+        let is_concluded = || open.is_empty() && is_general && self.is_concluded(at, set, words);
+        let found = match repairs.is_empty() {
+            false => Some(Equation { repairs, ..self.equation(checker, at, claim)? }),
+            true if is_concluded() => self.off_by_a_factor(at, claim, &quick)?,
+            true => None,
+        };
+        let Some(mut found) = found else { return Ok(None) };
         if !set.is_empty() {
             found.finding.message = match basis {
                 Basis::Solution => format!("this does not solve {}", named(set)),

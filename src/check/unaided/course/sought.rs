@@ -13,6 +13,33 @@ use crate::notes::claims::Claim;
 /// The most relations that a display with a slip is taken to solve.
 pub(super) const SOLVED_WITH_A_SLIP: usize = 2;
 
+/// Words that suppose something of all names, or of those that a formula does not name.
+const OF_ALL_NAMES: [&str; 22] = [
+    "equal",
+    "same",
+    "identical",
+    "symmetr",
+    "small",
+    "large",
+    "near",
+    "approx",
+    "neglect",
+    "limit",
+    "order",
+    "slow",
+    "fast",
+    "weak",
+    "strong",
+    "\\ll",
+    "\\gg",
+    // other languages
+    "gleich",
+    "klein",
+    "groß",
+    "égal",
+    "petit",
+];
+
 impl Course<'_, '_> {
     /// The finding on a display that needs nothing before it: on numbers, on an example, on a value in a special case, or on ≈.
     pub(super) fn settled_by_itself(&mut self, at: usize, found: &Equation) -> Result<Option<Equation>> {
@@ -42,12 +69,27 @@ impl Course<'_, '_> {
         self.nearly(at, found)
     }
 
+    /// Whether an equality contains the same names on both sides, of which the words before its chain suppose nothing. Then it is one of
+    /// formulas, and what they suppose of other names does not matter.
+    fn is_identity_in_any_case(&self, at: usize, origin: usize) -> bool {
+        let notes = self.checker.notes;
+        let sentence = prose::sentence(notes, origin);
+        let lower = sentence.to_lowercase();
+        let Some(own) = self.symbols(at).filter(|_| self.is_by_itself(at)) else { return false };
+        let is_about_it = |formula: &str| {
+            let symbols = gate::symbols_of(formula, self.checker.model);
+            !symbols.is_empty() && symbols.iter().all(|id| own.contains(id))
+        };
+        !OF_ALL_NAMES.iter().any(|word| lower.contains(word))
+            && !sentence.split('$').skip(1).step_by(2).any(is_about_it)
+    }
+
     /// The words before a display, or before the chain of which it is a step.
     pub(super) fn words_before(&self, at: usize, origin: usize) -> Words {
         let mut words = prose::before(self.checker.notes, origin);
         // What comes later in a chain is said to follow.
         if self.scope.link(at, self.checker.notes.equations.len()).is_some_and(|link| link.is_later) {
-            words.connected = !words.announced.is_supposed();
+            words.connected = !words.announced.is_supposed() || self.is_identity_in_any_case(at, origin);
             if words.connected {
                 words.announced = Announced::Consequence;
             }
@@ -128,7 +170,9 @@ impl Course<'_, '_> {
         let is_constant = statements.any(|statement| statement.constant.is_some());
         for set in premises::for_slips(&sought.sets, sought.symbols, is_constant).into_iter().chain(&sought.nearest) {
             let claim = premises::claim(set);
-            let where_positive = sought.positive.as_ref().map(|positive| positive.added_to(&claim));
+            let positive =
+                sought.positive.as_ref().map(|positive| positive.with(premises::symbols(set), self.checker.model));
+            let where_positive = positive.map(|positive| positive.added_to(&claim));
             for claim in std::iter::once(claim).chain(where_positive) {
                 if let Some(wrong) = self.slip(at, &claim, set, sought.words)? {
                     self.blamed.push((at, set.iter().map(|premise| (*premise).clone()).collect()));

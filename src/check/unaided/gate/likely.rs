@@ -1,6 +1,6 @@
 //! Whether a correction of a display makes it likely that its author made a slip.
 
-use crate::formula::{Expr, Node, Statement, SymbolId, Symbols};
+use crate::formula::{Expr, Node, Relation, Statement, SymbolId, Symbols};
 use crate::latex::layout::prints_derivative;
 use crate::latex::{Reading, read_display};
 use crate::notes::Display;
@@ -241,9 +241,12 @@ impl Correction<'_> {
             };
             pair.iter().any(prints)
         };
-        // And a series, of which the sides have other forms.
+        // And a series, of which the sides have other forms. What is nearly equal is one without its rest.
+        let is_near = self
+            .statements()
+            .all(|statement| statement.relations.iter().all(|(relation, _)| *relation == Relation::Approximately));
         let is_expanded = |pair: &[Expr]| {
-            pair.iter().any(has_rest)
+            (is_near || pair.iter().any(has_rest))
                 && pair.iter().map(|side| operations(side, model)).sum::<usize>() >= FEWEST_IN_SERIES
         };
         // And a matrix of numbers that a formula of known matrices has.

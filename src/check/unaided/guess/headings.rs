@@ -71,6 +71,25 @@ const NO_LABEL: [&str; 46] = [
     "ainsi",
 ];
 
+/// Words with which such a name does not end: it states something about the system at hand, "Quantum condition:".
+const STATES: [&str; 14] = [
+    "condition",
+    "conditions",
+    "conservation",
+    "balance",
+    "continuity",
+    "normalisation",
+    "normalization",
+    "quantisation",
+    "quantization",
+    "definition",
+    "identity",
+    // other languages
+    "bedingung",
+    "erhaltung",
+    "normierung",
+];
+
 /// Words for an example. The others are names of other things too, as in "Problem statement": after them a number or a sign must stand.
 const EXAMPLE: [&str; 7] = ["example", "beispiel", "exemple", "ejemplo", "esempio", "exemplo", "例"];
 const NUMBERED: [&str; 8] =
@@ -356,6 +375,7 @@ fn is_label(line: &str) -> bool {
         && words.len() <= LABEL_WORDS
         && words.iter().all(is_word)
         && words.first().is_some_and(|first| !NO_LABEL.contains(&first.as_str()))
+        && words.last().is_some_and(|last| !STATES.iter().any(|word| last.ends_with(word)))
 }
 
 /// Whether a paragraph that begins with this line may be about another system.
@@ -413,5 +433,6 @@ mod tests {
         assert!(places("text\nconsider a bead\n").is_empty());
         assert_eq!(places("Pendulum:\n"), [(0, LABEL)]);
         assert!(places("Then:\n\nthe pendulum:\n\nThe period of it:\n").is_empty());
+        assert!(places("Quantum condition:\n\nEnergy balance:\n\nEnergieerhaltung:\n").is_empty());
     }
 }

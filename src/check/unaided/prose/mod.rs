@@ -260,6 +260,13 @@ fn has_word(text: &str, word: &str) -> bool {
     text.match_indices(word).any(|(at, _)| !text[..at].ends_with(char::is_alphanumeric))
 }
 
+/// Whether a sentence ends in the text between a formula and a display, before its end.
+pub(super) fn ends_a_sentence(text: &str) -> bool {
+    let text = text.trim_end().trim_end_matches(['.', ':', ',', ';']);
+    let ends = |(at, mark): (usize, &str)| text[at + mark.len()..].starts_with(char::is_whitespace);
+    text.match_indices(['.', '?', '!']).any(ends) || text.contains("\n\n")
+}
+
 /// The numbers and labels that a text cites.
 fn references(text: &str) -> Vec<&str> {
     let mut found = Vec::new();

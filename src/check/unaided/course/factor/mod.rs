@@ -1,0 +1,218 @@
+//! A display of which one side is the other one but for a number.
+//!
+//! No law and no special case says `2x = 3x`. So where the sides, with what the notes define put in, have the same ratio in all
+//! states, the display is wrong, whether an edit of it is found or not. A name beside a formula is left out, since that may be another
+//! definition of it, unless the words say that it follows from the relations before it: `mgh = \frac12 mv^2`, hence `v = \sqrt{gh}`.
+
+mod stated_case;
+
+use crate::Result;
+use crate::check::model::claim::{Hypothesis, Link, is_equality};
+use crate::check::model::meaning::Meaning;
+use crate::check::repair::suggest::Search;
+use crate::check::state::sampled_state::SampledState;
+use crate::check::trial::failed_display::OFFERED;
+use crate::check::unaided::course::Course;
+use crate::check::unaided::premises::{Premise, Said};
+use crate::check::unaided::prose::{Announced, Words};
+use crate::check::unaided::{dimensions, gate, inline};
+use crate::check::verdict::Verdict;
+use crate::check::verdict::finding::Finding;
+use crate::check::verdict::repair::Repair;
+use crate::check::verdict::report::Equation;
+use crate::formula::Value;
+use crate::formula::units::in_si::has_units;
+use crate::formula::{Expr, Node, Relation, Statement};
+use crate::latex::read_display;
+use crate::notes::claims::Claim;
+use crate::scalar::RunningError;
+use crate::source::Span;
+
+/// The number of states that are tried; a root has a value in some of them.
+const STATES: usize = 32;
+
+/// The fewest states that show a ratio.
+const FEWEST: usize = 3;
+
+/// The relative difference of ratios that are one number.
+const EQUAL: f64 = 1e-9;
+
+/// The relative difference from 1 of what is no rounded number.
+const ROUNDED: f64 = 0.2;
+
+impl Course<'_, '_> {
+    /// Whether a display contains a name that a formula defines.
+    pub(in crate::check::unaided::course) fn uses_definitions(&self, at: usize) -> bool {
+        let model = self.checker.model;
+        let members = self.checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        let mut symbols = members.flat_map(Expr::symbols);
+        symbols.any(|(id, _)| matches!(model.meaning(id), Some(Meaning::Defined(_))))
+    }
+
+    /// Whether the words say that a display follows from premises of which the display before it is one, with nothing unread on the way,
+    /// so that even a number by which it differs is wrong.
+    pub(in crate::check::unaided::course) fn is_concluded(&self, at: usize, set: &[&Premise], words: &Words) -> bool {
+        let (notes, readings) = (self.checker.notes, &self.checker.readings);
+        let origin = self.scope.origin_of(at, notes.equations.len());
+        let displays = (0..origin).filter(|place| !inline::is_inline(notes, &notes.equations[*place]));
+        let last = displays.max().into_iter().chain(words.named.iter().copied()).collect::<Vec<_>>();
+        let Some(first) = set.iter().map(|premise| premise.at).min() else { return false };
+        words.announced == Announced::Consequence
+            && set.iter().any(|premise| last.contains(&premise.at))
+            && !set.iter().any(|premise| matches!(premise.said, Said::States(_)) || self.sets_a_value(premise.at))
+            && readings[first..at].iter().all(|reading| reading.statements.iter().all(Result::is_ok))
+    }
+
+    /// The finding that a display is wrong, if one side is the other one but for a number. `quick` is the finding that it does not
+    /// hold.
+    pub(in crate::check::unaided::course) fn off_by_a_factor(
+        &self,
+        at: usize,
+        claim: &Claim,
+        quick: &Equation,
+    ) -> Result<Option<Equation>> {
+        let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
+        // Of log nobody knows the base.
+        if display.text.contains("\\log") {
+            return Ok(None);
+        }
+        let mut off = None;
+        let statements = &checker.readings[at].statements;
+        for statement in statements.iter().flatten() {
+            if off.is_none() {
+                off = self.pair_that_is_off(at, statement, claim)?.map(|pair| pair.shifted(display.body.start));
+            }
+        }
+        let Some(off) = off else { return Ok(None) };
+        let mut repairs = match claim.throughout.is_empty() {
+            true => checker.own_repairs(at, quick, claim, Search::Likely)?,
+            false => self.lost_factors(at, claim)?,
+        };
+        repairs.retain(|repair| {
+            matches!(repair.verdict, Verdict::Certified | Verdict::Verified)
+                && !repair.idle
+                && repair.shared.is_none()
+                && display.body.contains(repair.span)
+                && !dimensions::are_spoilt(checker, at, repair)
+        });
+        let found = Equation { repairs, ..self.equation(checker, at, claim)? };
+        let is_alone = statements.len() == 1;
+        Ok(only_within(&found, off).or(is_alone.then_some(found)))
+    }
+
+    /// Two members of a statement, one after the other, that are the same but for a number.
+    fn pair_that_is_off(&self, at: usize, statement: &Statement, claim: &Claim) -> Result<Option<Span>> {
+        if !statement.conditions.is_empty() || statement.branch.is_some() {
+            return Ok(None);
+        }
+        for (pair, (relation, _)) in statement.members.windows(2).zip(&statement.relations) {
+            let is_concluded = !claim.throughout.is_empty();
+            let may_be = is_equality(*relation) && pair.iter().all(|side| may_be_off(side, is_concluded));
+            if may_be && self.ratio_is_wrong(at, &pair[0], &pair[1], claim)? {
+                return Ok(Some(pair[0].span.to(pair[1].span)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Whether the ratio of two sides is a number other than 1, in all states.
+    fn ratio_is_wrong(&self, at: usize, lhs: &Expr, rhs: &Expr, claim: &Claim) -> Result<bool> {
+        // What differs by a sign may be about the other direction.
+        let may_turn = !self.uses_definitions(at) && claim.throughout.is_empty();
+        let least = if [lhs, rhs].into_iter().any(has_decimals) { ROUNDED } else { EQUAL };
+        let hypotheses =
+            self.checker.hypotheses(&Claim { throughout: claim.throughout.clone(), ..Claim::default() })?;
+        let ratio = self.ratio_where(&hypotheses, lhs, rhs)?;
+        let Some(ratio) = ratio.filter(|ratio| *ratio > 0.0 || may_turn) else {
+            return Ok(false);
+        };
+        Ok((ratio - 1.0).abs() > least)
+    }
+
+    /// The ratio of two formulas, if it is one number in all states.
+    pub(in crate::check::unaided::course) fn constant_ratio(&self, lhs: &Expr, rhs: &Expr) -> Result<Option<f64>> {
+        self.ratio_where(&[], lhs, rhs)
+    }
+
+    /// The ratio of two formulas, if it is one number in all states with some hypotheses. Where these leave the sign of a root open, it
+    /// is the positive number.
+    fn ratio_where(&self, hypotheses: &[Hypothesis], lhs: &Expr, rhs: &Expr) -> Result<Option<f64>> {
+        let Ok(link) = self.checker.link(lhs, Relation::Equal, rhs) else { return Ok(None) };
+        let context = self.context(hypotheses);
+        let mode = context.mode(false, &[&link.lhs, &link.rhs]);
+        let ensemble = context.ensemble(mode, false, STATES)?;
+        Ok(ratio_in(&ensemble.states, &link, !hypotheses.is_empty()))
+    }
+
+    /// The corrections by a likely slip, or by a number that was lost, with which a display of two sides follows from hypotheses.
+    fn lost_factors(&self, at: usize, claim: &Claim) -> Result<Vec<Repair>> {
+        let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
+        let [Ok(statement)] = checker.readings[at].statements.as_slice() else { return Ok(Vec::new()) };
+        let [lhs, rhs] = statement.members.as_slice() else { return Ok(Vec::new()) };
+        let Ok(link) = checker.link(lhs, Relation::Equal, rhs) else { return Ok(Vec::new()) };
+        let hypotheses = checker.hypotheses(claim)?;
+        let context = self.context(&hypotheses);
+        let mode = context.mode(false, &[&link.lhs, &link.rhs]);
+        let ensemble = context.ensemble(mode, false, STATES)?;
+        let mut found: Vec<Repair> = Vec::new();
+        for edit in self.edits_with_factors(at, None) {
+            let text = edit.applied(&display.text);
+            let reading = read_display(&text, &mut checker.model.symbols.clone(), &checker.model.macros);
+            let [Ok(edited)] = reading.statements.as_slice() else { continue };
+            let [lhs, rhs] = edited.members.as_slice() else { continue };
+            let Ok(link) = checker.link(lhs, Relation::Equal, rhs) else { continue };
+            let ratio = ratio_in(&ensemble.states, &link, true);
+            if ratio.is_some_and(|ratio| (ratio - 1.0).abs() < EQUAL) {
+                found.push(Repair::of(edit, display.body.start, Verdict::Verified));
+            }
+        }
+        found.sort_by_key(|repair| repair.slip);
+        found.truncate(OFFERED);
+        Ok(found)
+    }
+}
+
+/// The ratio of the sides of a link, if it is one number in all states; the positive one where their signs are `open`.
+fn ratio_in(states: &[SampledState<'_, RunningError>], link: &Link, open: bool) -> Option<f64> {
+    let mut ratios = Vec::new();
+    for state in states {
+        let sides = (state.now(&link.lhs, &[]), state.now(&link.rhs, &[]));
+        // A root may have no value in a state.
+        let (Ok(a), Ok(b)) = sides else { continue };
+        let (Value::Scalar(a), Value::Scalar(b)) = (a, b) else { return None };
+        if a.value.is_finite() && b.value.is_finite() {
+            ratios.push(a.value / b.value);
+        }
+    }
+    if open && ratios.iter().any(|ratio| *ratio > 0.0) {
+        ratios.iter_mut().for_each(|ratio| *ratio = ratio.abs());
+    }
+    let first = ratios.first().copied().filter(|first| first.is_finite() && ratios.len() >= FEWEST);
+    let is_same = |ratio: &f64| first.is_some_and(|first| (ratio / first - 1.0).abs() < EQUAL);
+    first.filter(|_| ratios.iter().all(is_same))
+}
+
+/// The finding on a display of several equalities, of which the one in a span is wrong and the others are as they count.
+fn only_within(found: &Equation, span: Span) -> Option<Equation> {
+    let is_within = |finding: &Finding| finding.verdict == Verdict::Refuted && span.contains(finding.span);
+    let finding = found.parts.iter().map(|part| &part.finding).find(|finding| is_within(finding))?.clone();
+    let mut weighed = gate::as_it_counts(found.clone());
+    for (part, printed) in weighed.parts.iter_mut().zip(&found.parts).filter(|(_, part)| is_within(&part.finding)) {
+        *part = printed.clone();
+    }
+    let mut repairs = found.repairs.clone();
+    repairs.retain(|repair| span.contains(repair.span));
+    Some(Equation { finding, repairs, ok: false, ..weighed })
+}
+
+/// Whether a formula may be one side of what is off by a factor: nothing measured, and no name beside its definition, unless it is
+/// concluded.
+fn may_be_off(side: &Expr, is_concluded: bool) -> bool {
+    (is_concluded || side.as_plain_symbol().is_none()) && !side.is_null() && !has_units(side)
+}
+
+fn has_decimals(side: &Expr) -> bool {
+    let mut found = false;
+    side.walk(&mut |part| found |= matches!(&part.node, Node::Number(digits) if digits.contains('.')));
+    found
+}

@@ -1,0 +1,114 @@
+//! Notes without a claims file in which words say that a display follows from the ones before it, which it does up to a number.
+
+use crate::support::verdicts;
+
+fn found(name: &str, notes: &str) -> Vec<String> {
+    verdicts(&format!("unaided-conclusion-{name}"), notes)
+}
+
+/// The verdict on a display after others, with words between the two.
+fn last(name: &str, notes: &str) -> String {
+    found(name, notes).pop().expect("a verdict")
+}
+
+const PENDULUM: &str = r"The bullet sticks. Momentum is conserved,
+
+$$ m v = (m + M) V $$
+
+and after it the energy,
+
+$$ \frac12 (m+M) V^2 = (m+M) g h $$
+
+Eliminating $V$ gives
+
+$$ v = \frac{m+M}{m}\sqrt{2 g h} $$
+";
+
+#[test]
+fn a_common_factor_of_a_law_hides_nothing() {
+    assert_eq!(last("pendulum", PENDULUM), "verified");
+    for slip in ["g h", r"\frac{g h}{2}", "3 g h"] {
+        let wrong = PENDULUM.replace("{2 g h}", &format!("{{{slip}}}"));
+        assert_eq!(last("pendulum-slip", &wrong), "refuted", "{slip}");
+    }
+}
+
+#[test]
+fn a_conclusion_is_wrong_by_a_number() {
+    let outflow = |words: &str, speed: &str| {
+        format!("$$ p_0 + \\rho g h = p_0 + \\frac12 \\rho v^2 $$\n\n{words}\n\n$$ v = {speed} $$\n")
+    };
+    assert_eq!(last("outflow", &outflow("hence", r"\sqrt{2 g h}")), "verified");
+    assert_eq!(last("outflow-slip", &outflow("hence", r"\sqrt{g h}")), "refuted");
+    assert_eq!(last("outflow-four", &outflow("so that", r"2\sqrt{g h}")), "refuted");
+    // Where the words say of no consequence, it may be another speed.
+    assert_eq!(last("outflow-other", &outflow("The wave has the speed", r"\sqrt{g h}")), "assumed");
+    assert_ne!(last("outflow-case", &outflow("For a circular orbit instead", r"\sqrt{g h}")), "refuted");
+}
+
+#[test]
+fn two_quantities_of_a_sentence_that_are_equal_are_a_law() {
+    let stokes = |speed: &str| {
+        format!(
+            "Weight and friction\n\n$$ G = \\frac43\\pi a^3\\rho g, \\qquad F = 6\\pi\\eta a v $$\n\n\
+             are equal, $G = F$, so\n\n$$ v = {speed} $$\n"
+        )
+    };
+    assert_eq!(last("stokes", &stokes(r"\frac{2 a^2 \rho g}{9\eta}")), "verified");
+    assert_eq!(last("stokes-power", &stokes(r"\frac{2 a \rho g}{9\eta}")), "refuted");
+    assert_eq!(last("stokes-number", &stokes(r"\frac{4 a^2 \rho g}{9\eta}")), "refuted");
+}
+
+#[test]
+fn a_label_of_a_statement_begins_no_other_system() {
+    let bohr = |label: &str, power: &str| {
+        format!(
+            "$$ \\frac{{e^2}}{{4\\pi\\varepsilon_0 r^2}} = \\frac{{m v^2}}{{r}} \\tag{{1}} $$\n\n{label}\n\n\
+             $$ m v r = n\\hbar \\tag{{2}} $$\n\nInsert $v = n\\hbar/(mr)$ into (1):\n\n\
+             $$ r = \\frac{{4\\pi\\varepsilon_0 \\hbar^2}}{{m e^2}} {power} \\tag{{3}} $$\n"
+        )
+    };
+    assert_eq!(last("bohr", &bohr("Quantum condition:", "n^2")), "verified");
+    assert_eq!(last("bohr-slip", &bohr("Quantum condition:", "n^3")), "refuted");
+    // The name of a thing does: nothing of before holds there.
+    assert_ne!(last("bohr-thing", &bohr("Neutron star:", "n^2")), "verified");
+}
+
+#[test]
+fn the_last_term_of_an_approximation_counts() {
+    let near = |words: &str, sides: &str| last("near", &format!("{words}\n\n$$ {sides} $$\n"));
+    for (right, wrong) in [
+        (r"\frac{1}{1+x} \approx 1 - x", r"\frac{1}{1+x} \approx 1 + x"),
+        (r"\sqrt{1+x} \approx 1 + \frac{x}{2}", r"\sqrt{1+x} \approx 1 + x"),
+        (r"\cos x \approx 1 - \frac{x^2}{2}", r"\cos x \approx 1 - \frac{x^2}{4}"),
+        (r"e^{-x} \approx 1 - x", r"e^{-x} \approx 1 + x"),
+    ] {
+        assert_eq!(near("For small $x$", right), "certified", "{right}");
+        assert_eq!(near("For small $x$", wrong), "refuted", "{wrong}");
+    }
+    // A rough estimate is no series.
+    assert_ne!(near("A rough estimate for small $x$ is", r"\sqrt{1+x} \approx 1 + x"), "refuted");
+    let energy = |term: &str| {
+        let notes = format!(
+            "$$ E = \\frac{{m c^2}}{{\\sqrt{{1 - v^2/c^2}}}} $$\n\nFor $v \\ll c$\n\n$$ E \\approx m c^2 + {term} m v^2 $$\n"
+        );
+        last("energy", &notes)
+    };
+    assert_eq!(energy(r"\frac12"), "certified");
+    assert_eq!(energy(r"\frac14"), "refuted");
+}
+
+#[test]
+fn an_identity_of_a_chain_holds_whatever_is_supposed_of_other_names() {
+    let beat = |words: &str, product: &str| {
+        let chain = format!(
+            r"x_1 = \frac a2(\cos\omega_1 t + \cos\omega_2 t) = a\cos\left(\frac{{\omega_1+\omega_2}}{{2}}t\right) {product}\left(\frac{{\omega_2-\omega_1}}{{2}}t\right)"
+        );
+        last("beat", &format!("{words}\n\n$$ {chain} $$\n"))
+    };
+    let start = "If at the beginning $x_1 = a$, $x_2 = 0$ and both are at rest,";
+    assert_eq!(beat(start, r"\sin"), "refuted");
+    assert_ne!(beat(start, r"\cos"), "refuted");
+    // Between equal frequencies the two sides may agree.
+    assert_ne!(beat("If both have the same frequency,", r"\sin"), "refuted");
+}
