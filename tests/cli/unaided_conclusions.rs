@@ -46,6 +46,22 @@ fn a_conclusion_is_wrong_by_a_number() {
     assert_ne!(last("outflow-case", &outflow("For a circular orbit instead", r"\sqrt{g h}")), "refuted");
 }
 
+/// The law of one thing holds with another number for several: that is no slip.
+#[test]
+fn several_things_have_another_number() {
+    let law =
+        |law: &str, words: &str, result: &str| last("several", &format!("$$ {law} $$\n\n{words}\n\n$$ {result} $$\n"));
+    for (first, words, result) in [
+        ("F = k x", "Two springs side by side give", "F = 2 k x"),
+        ("F = k x", "A stack of springs then gives", "F = 2 k x"),
+        (r"E = \frac12 k T", "Three degrees of freedom give", r"E = \frac32 k T"),
+        (r"m g h = \frac12 m v^2", "Half of the energy is lost, so that", r"v = \sqrt{g h}"),
+        (r"p V = n R T", "For each of the two moles it follows that", r"p V = \frac12 n R T"),
+    ] {
+        assert_ne!(law(first, words, result), "refuted", "{words}");
+    }
+}
+
 #[test]
 fn two_quantities_of_a_sentence_that_are_equal_are_a_law() {
     let stokes = |speed: &str| {

@@ -14,7 +14,7 @@ use crate::notes::Notes;
 use crate::check::prose_claims::words::{PASSING, ROOTS_OF};
 use crate::check::unaided::inline::is_inline;
 use crate::check::unaided::prose::words::{
-    ANEW, ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, SOLUTION, WEAK,
+    ANEW, ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, SEVERAL, SOLUTION, WEAK,
 };
 
 /// The most bytes before a display that are taken for its words.
@@ -258,6 +258,12 @@ fn last_sentence(text: &str) -> &str {
 /// Whether a text has a word, or the beginning of one.
 fn has_word(text: &str, word: &str) -> bool {
     text.match_indices(word).any(|(at, _)| !text[..at].ends_with(char::is_alphanumeric))
+}
+
+/// Whether the sentence before a display speaks of several things, or of a part of one: "three degrees of freedom give".
+pub(super) fn speaks_of_several(notes: &Notes, at: usize) -> bool {
+    let sentence = sentence(notes, at).to_lowercase();
+    sentence.split(|c: char| !c.is_alphabetic()).any(|word| SEVERAL.contains(&word))
 }
 
 /// Whether a sentence ends in the text between a formula and a display, before its end.

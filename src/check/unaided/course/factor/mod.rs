@@ -9,12 +9,12 @@ mod stated_case;
 use crate::Result;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::meaning::Meaning;
-use crate::check::repair::suggest::Search;
+use crate::check::repair::suggest::{Search, is_in_source};
 use crate::check::state::sampled_state::SampledState;
 use crate::check::trial::failed_display::OFFERED;
 use crate::check::unaided::course::Course;
 use crate::check::unaided::premises::{Premise, Said};
-use crate::check::unaided::prose::{Announced, Words};
+use crate::check::unaided::prose::{self, Announced, Words};
 use crate::check::unaided::{dimensions, gate, inline};
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
@@ -24,6 +24,7 @@ use crate::formula::Value;
 use crate::formula::units::in_si::has_units;
 use crate::formula::{Expr, Node, Relation, Statement};
 use crate::latex::read_display;
+use crate::latex::slips::{self, Edit, Pool};
 use crate::notes::claims::Claim;
 use crate::scalar::RunningError;
 use crate::source::Span;
@@ -58,9 +59,29 @@ impl Course<'_, '_> {
         let last = displays.max().into_iter().chain(words.named.iter().copied()).collect::<Vec<_>>();
         let Some(first) = set.iter().map(|premise| premise.at).min() else { return false };
         words.announced == Announced::Consequence
+            && !prose::speaks_of_several(notes, origin)
+            && !self.is_another_multiple(at, set)
             && set.iter().any(|premise| last.contains(&premise.at))
             && !set.iter().any(|premise| matches!(premise.said, Said::States(_)) || self.sets_a_value(premise.at))
             && readings[first..at].iter().all(|reading| reading.statements.iter().all(Result::is_ok))
+    }
+
+    /// Whether a display relates the names of its only premise by another number, and neither has a sum: the law of one spring, and that
+    /// of two.
+    fn is_another_multiple(&self, at: usize, set: &[&Premise]) -> bool {
+        let [only] = set else { return false };
+        let own = self.symbols(at).unwrap_or_default();
+        let has_same = own.len() == only.symbols.len() && own.iter().all(|id| only.symbols.contains(id));
+        let members = |at: usize| {
+            let statements = self.checker.readings[at].statements.iter().flatten();
+            statements.flat_map(|statement| &statement.members)
+        };
+        let has_sum = |member: &Expr| {
+            let mut found = false;
+            member.walk(&mut |part| found |= matches!(&part.node, Node::Sum(terms) if terms.len() > 1));
+            found
+        };
+        has_same && !members(at).chain(members(only.at)).any(has_sum)
     }
 
     /// The finding that a display is wrong, if one side is the other one but for a number. `quick` is the finding that it does not
@@ -155,9 +176,15 @@ impl Course<'_, '_> {
         let mode = context.mode(false, &[&link.lhs, &link.rhs]);
         let ensemble = context.ensemble(mode, false, STATES)?;
         let mut found: Vec<Repair> = Vec::new();
-        for edit in self.edits_with_factors(at, None) {
+        let (symbols, macros) = (&checker.model.symbols, &checker.model.macros);
+        let removes_a_number = |edit: &Edit| {
+            edit.replacement.trim().is_empty() && display.text[edit.span.range()].trim().parse::<u32>().is_ok()
+        };
+        let mut removed = slips::corrections(&display.text, symbols, macros, &Pool::empty());
+        removed.retain(|edit| removes_a_number(edit) && is_in_source(checker, &display.text, edit, display.body.start));
+        for edit in removed.into_iter().chain(self.edits_with_factors(at, None)) {
             let text = edit.applied(&display.text);
-            let reading = read_display(&text, &mut checker.model.symbols.clone(), &checker.model.macros);
+            let reading = read_display(&text, &mut symbols.clone(), macros);
             let [Ok(edited)] = reading.statements.as_slice() else { continue };
             let [lhs, rhs] = edited.members.as_slice() else { continue };
             let Ok(link) = checker.link(lhs, Relation::Equal, rhs) else { continue };
@@ -165,6 +192,11 @@ impl Course<'_, '_> {
             if ratio.is_some_and(|ratio| (ratio - 1.0).abs() < EQUAL) {
                 found.push(Repair::of(edit, display.body.start, Verdict::Verified));
             }
+        }
+        // A number is left out rather than set to 1.
+        let is_one = |repair: &Repair| repair.replacement.trim() == "1";
+        if !found.iter().all(is_one) {
+            found.retain(|repair| !is_one(repair));
         }
         found.sort_by_key(|repair| repair.slip);
         found.truncate(OFFERED);

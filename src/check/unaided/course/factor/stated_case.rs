@@ -9,6 +9,7 @@ use crate::check::model::claim::is_equality;
 use crate::check::unaided::course::Course;
 use crate::check::unaided::gate;
 use crate::check::unaided::inline;
+use crate::check::unaided::premises::Said;
 use crate::check::unaided::prose;
 use crate::check::unaided::signs::Positive;
 use crate::check::verdict::Verdict;
@@ -37,7 +38,7 @@ struct Value {
 impl Course<'_, '_> {
     /// The finding on a display that follows from a relation in the case that the sentence before it states, or is off by a number.
     pub(in crate::check::unaided::course) fn in_stated_case(
-        &self,
+        &mut self,
         at: usize,
         positive: Option<&Positive>,
     ) -> Result<Option<Equation>> {
@@ -50,8 +51,12 @@ impl Course<'_, '_> {
         let Some(general) = self.general(at, statement, &values) else { return Ok(None) };
         let Some(id) = notes.equations[general].id().map(str::to_owned) else { return Ok(None) };
         let hypothesis = |latex: String| Spanned::new(latex, Span::default());
-        // A definition is put in wherever its name stands.
+        // A definition is put in wherever its name stands. What is neither that nor taken for granted is wrong.
         let defines = !checker.readings[general].introduced.is_empty();
+        let premise = self.known.iter().find(|premise| premise.at == general && premise.said == Said::Whole).cloned();
+        if !defines && premise.is_none() {
+            return Ok(None);
+        }
         let relation = (!defines).then(|| id.clone());
         let throughout = relation.into_iter().chain(values.iter().map(|value| value.latex.clone())).map(hypothesis);
         let claim = Claim { throughout: throughout.collect(), ..Claim::default() };
@@ -60,19 +65,23 @@ impl Course<'_, '_> {
         let relations = self.checker.readings[general].statements.iter().flatten();
         let symbols = self.symbols_of(&relations.collect::<Vec<&Statement>>());
         let where_positive = positive.map(|positive| positive.with(symbols.into_iter(), checker.model));
-        let claims = std::iter::once(claim.clone()).chain(where_positive.map(|positive| positive.added_to(&claim)));
-        for claim in claims {
-            if let Some(mut follows) = self.passes(at, &claim)? {
-                follows.finding.message = format!("follows from {case}");
-                return Ok(Some(gate::as_it_counts(follows)));
-            }
+        if let Some(mut follows) = self.passes(at, &claim)? {
+            follows.finding.message = format!("follows from {case}");
+            return Ok(Some(gate::as_it_counts(follows)));
+        }
+        if let Some(positive) = where_positive
+            && let Some(mut follows) = self.follows_where(at, &positive, &claim)?
+        {
+            follows.finding.message = format!("{}; it follows from {case}", follows.finding.message);
+            return Ok(Some(gate::as_it_counts(follows)));
         }
         let quick = self.equation(&self.quick, at, &claim)?;
-        if quick.finding.verdict != Verdict::Refuted {
+        if quick.finding.verdict != Verdict::Refuted || self.rests_on_doubt(at) {
             return Ok(None);
         }
         let Some(mut wrong) = self.off_by_a_factor(at, &claim, &quick)? else { return Ok(None) };
         wrong.finding.message = format!("this does not follow from {case}: {}", wrong.finding.message);
+        self.blamed.extend(premise.map(|premise| (at, vec![premise])));
         Ok(Some(wrong))
     }
 
