@@ -202,11 +202,17 @@ fn begins_argument(token: &Token) -> bool {
 
 /// Names of several letters that are products nowhere: energies, errors, heating values. `F = Ma`, `\tau = Fr` and `BIL = mg` are
 /// products.
-const NAMES: [&str; 47] = [
-    "KE", "PE", "GPE", "EPE", "COP", "NTU", "SNR", "RMS", "EMF", "MSE", "RMSE", "LHV", "HHV", "LCV", "HCV", "ESS",
-    "GBW", "GBP", "BER", "RPM", "PSF", "MTF", "OTF", "BMI", "FOM", "SPL", "PSD", "PRF", "SAR", "VSWR", "MTBF", "LCOE",
-    "RCS", "THD", "SINR", "SFDR", "FWHM", "EIRP", "ENBW", "DOF", "ITAE", "IAE", "ISE", "MAE", "OPD", "IMA", "NPSH",
+const NAMES: [&str; 56] = [
+    "SWR", "API", "FSR", "TOF", "CFL", "LMTD", "CMRR", "PSRR", "SED", "KE", "PE", "GPE", "EPE", "COP", "NTU", "SNR",
+    "RMS", "EMF", "MSE", "RMSE", "LHV", "HHV", "LCV", "HCV", "ESS", "GBW", "GBP", "BER", "RPM", "PSF", "MTF", "OTF",
+    "BMI", "FOM", "SPL", "PSD", "PRF", "SAR", "VSWR", "MTBF", "LCOE", "RCS", "THD", "SINR", "SFDR", "FWHM", "EIRP",
+    "ENBW", "DOF", "ITAE", "IAE", "ISE", "MAE", "OPD", "IMA", "NPSH",
 ];
+
+/// Whether letters are such a name.
+pub fn is_name_of_letters(word: &str) -> bool {
+    NAMES.contains(&word)
+}
 
 /// Numbers without a unit, which are names where one of them is a whole left side: `Re = \rho v D/\mu`.
 const NUMBERS: [&str; 9] = ["Re", "Nu", "NA", "QE", "RH", "AR", "MA", "TE", "VR"];

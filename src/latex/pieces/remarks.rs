@@ -27,6 +27,11 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
             };
         return is_apart && (is_note || inside.iter().any(is_phrase));
     }
+    // `\theta_r = \theta_i \quad [\text{law of reflection}]`; beside a factor `[\text{NaCl}]` is a concentration.
+    if let Layout::Fence(Delimiter::Square, inside) = &items[at].layout {
+        let is_apart = at > 0 && items[at - 1].layout == Layout::Space(Space::Wide);
+        return is_apart && is_aside(items, at) && matches!(inside.as_slice(), [Item { layout: Layout::Text(_), .. }]);
+    }
     let word = match &items[at].layout {
         _ if separates(items[at]) => return false,
         Layout::Text(word) => word.clone(),
@@ -140,7 +145,16 @@ fn is_figure(item: &Item) -> bool {
 
 /// Whether a word is the name of a unit: `Dynes`, `turns`.
 fn names_a_unit(word: &str) -> bool {
-    const NAMES: [&str; 51] = [
+    const NAMES: [&str; 60] = [
+        "db",
+        "dba",
+        "dbm",
+        "dbi",
+        "dbc",
+        "dbv",
+        "dbu",
+        "dbfs",
+        "np",
         "ft",
         "feet",
         "lb",
@@ -209,11 +223,11 @@ fn is_rate_of_units(word: &str) -> bool {
 
 /// Whether a word after a number is a unit, and no remark: `m/s`, `eV`, `days`.
 fn is_unit(word: &str) -> bool {
-    const UNITS: [&str; 59] = [
-        "m", "cm", "mm", "km", "nm", "fm", "pm", "s", "ms", "ns", "min", "h", "kg", "g", "mg", "N", "kN", "J", "kJ",
-        "MJ", "W", "kW", "MW", "eV", "keV", "MeV", "GeV", "TeV", "K", "Pa", "kPa", "MPa", "bar", "atm", "Hz", "kHz",
-        "MHz", "GHz", "V", "kV", "A", "mA", "T", "C", "mol", "rad", "sr", "deg", "days", "day", "years", "year", "yr",
-        "hours", "seconds", "rpm", "RPM", "Nm", "Js",
+    const UNITS: [&str; 64] = [
+        "dB", "dBA", "dBm", "dBi", "dBc", "m", "cm", "mm", "km", "nm", "fm", "pm", "s", "ms", "ns", "min", "h", "kg",
+        "g", "mg", "N", "kN", "J", "kJ", "MJ", "W", "kW", "MW", "eV", "keV", "MeV", "GeV", "TeV", "K", "Pa", "kPa",
+        "MPa", "bar", "atm", "Hz", "kHz", "MHz", "GHz", "V", "kV", "A", "mA", "T", "C", "mol", "rad", "sr", "deg",
+        "days", "day", "years", "year", "yr", "hours", "seconds", "rpm", "RPM", "Nm", "Js",
     ];
     let word = word.trim_end_matches(['.', ',', ';']);
     let is_one = |part: &str| {

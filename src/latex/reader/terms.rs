@@ -280,12 +280,13 @@ fn is_no_error_of_measurement(items: &[Item]) -> Read<()> {
 
 /// Rejects `9.8 m/s^2`, `1000 kg/m^3`: letters of units after a number are no quantities as a rule.
 fn is_no_spelled_unit(items: &[Item]) -> Read<()> {
-    const UNITS: [&str; 32] = [
-        "m", "s", "kg", "K", "N", "J", "W", "V", "A", "C", "T", "Pa", "Hz", "nm", "cm", "mm", "km", "eV", "keV", "MeV",
-        "GeV", "kPa", "MPa", "kJ", "kW", "ms", "mol", "rad", "GHz", "MHz", "kHz", "mA",
+    const UNITS: [&str; 44] = [
+        "mV", "kV", "kN", "mW", "MW", "kWh", "nF", "pF", "mH", "mT", "ns", "dB", "m", "s", "kg", "K", "N", "J", "W",
+        "V", "A", "C", "T", "Pa", "Hz", "nm", "cm", "mm", "km", "eV", "keV", "MeV", "GeV", "kPa", "MPa", "kJ", "kW",
+        "ms", "mol", "rad", "GHz", "MHz", "kHz", "mA",
     ];
     /// What is hardly ever a product after a small number either.
-    const SURE: [&str; 5] = ["kg", "Hz", "Pa", "eV", "mol"];
+    const SURE: [&str; 7] = ["kg", "Hz", "Pa", "eV", "mol", "mm", "kWh"];
     let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
     let Some(start) = items.iter().position(|item| !is_space(item)) else { return Ok(()) };
     let Layout::Number(digits) = &items[start].layout else { return Ok(()) };
@@ -299,7 +300,19 @@ fn is_no_spelled_unit(items: &[Item]) -> Read<()> {
     if items[start..at].iter().rfind(|item| !is_space(item)).is_some_and(|last| joint(last).is_some()) {
         return Ok(());
     }
-    let is_large = digits.contains('.') || digits.len() > 1;
+    // `3\times10^8 m/s`: a power of ten stands before a unit more often than before a letter.
+    let is_large = digits.contains('.') || digits.len() > 1 || items[start..at].iter().any(is_power);
+    // `26 \Omega`, `4\,\Omega`, `10 k\Omega`: a resistance, or a frequency that a small number is a factor of.
+    let prefix = usize::from(matches!(items.get(at).map(|item| &item.layout), Some(Layout::Letter('k' | 'M' | 'm'))));
+    let is_apart = at > 0 && is_space(&items[at - 1]);
+    if let Some(omega) = items.get(at + prefix)
+        && omega.layout == Layout::Command("\\Omega".to_owned())
+        && (is_large || is_apart)
+        && items[at + prefix + 1..].iter().all(is_space)
+    {
+        return Err(Fault::ambiguous(omega.span, "Ω after a number may be the unit ohm or a quantity")
+            .help("write \\text{Ω} for the unit, and \\cdot before a quantity"));
+    }
     let mut found: Option<(String, Span)> = None;
     let mut is_sure = is_large;
     // Whether a unit may stand here: `0.5 C V^2` is a product.

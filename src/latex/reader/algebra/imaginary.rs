@@ -191,8 +191,11 @@ fn is_greek(item: Option<&&Item>) -> bool {
 /// `x + iy`, `a - ib`, `v_x + iv_y`: a sum of two neighbours in the alphabet.
 fn is_pair(items: &[&Item], at: usize) -> bool {
     let [.., first, sign] = &items[..at] else { return false };
-    let (Layout::Other('+' | '-'), Some(first), Some(second)) =
-        (&sign.layout, name_of(first), items.get(at + 1).and_then(|next| name_of(next)))
+    let is_sign = match &sign.layout {
+        Layout::Command(name) => name == "\\pm" || name == "\\mp",
+        _ => matches!(sign.layout, Layout::Other('+' | '-')),
+    };
+    let (true, Some(first), Some(second)) = (is_sign, name_of(first), items.get(at + 1).and_then(|next| name_of(next)))
     else {
         return false;
     };

@@ -6,12 +6,12 @@ use crate::source::Fault;
 
 use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
-use super::super::items::{joint, whole_number};
+use super::super::items::{differential, joint, whole_number};
 
 /// The fault of δ, Δ or d before what is no letter: `\delta\ln W`, `d\ln T`; and of Δ² before a letter. `d\sin\theta` is a product as often.
 pub(super) fn unclear_operator(before: &Item, item: &Item) -> Option<Fault> {
     let is_mark = matches!(&before.layout, Layout::Command(name) if name == "\\delta" || name == "\\Delta");
-    let is_d = before.layout == Layout::Letter('d');
+    let is_d = differential(before) == Some(1);
     let is_logarithm = matches!(&item.layout, Layout::Command(name) if name == "\\ln" || name == "\\log");
     let is_formula = match &item.layout {
         Layout::Command(name) => {

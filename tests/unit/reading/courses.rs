@@ -1,0 +1,185 @@
+//! Forms of lecture notes that were read as something else: each stands beside a form that differs little and has another reading.
+
+use super::{are_read, are_refused, statements_of};
+
+#[test]
+fn an_angle_before_the_time_may_end_the_argument() {
+    are_refused(&["x = v\\cos\\theta t", "x = v\\cos\\alpha t", "x = v\\cos\\theta\\Delta t", "x = v\\cos\\psi t"]);
+    are_read(&[
+        ("x = A\\cos\\omega t", "x = A·cos(ω·t)"),
+        ("x = A\\cos\\beta t", "x = A·cos(β·t)"),
+        ("x = v\\cos\\theta\\,t", "x = v·cos(θ)·t"),
+    ]);
+}
+
+#[test]
+fn a_difference_stays_one_symbol_after_a_refusal() {
+    let found = statements_of("a = \\sin\\omega\\Delta t").unwrap_or_default();
+    assert!(!found.contains('Δ') || found.contains("ω·Δt"), "{found}");
+}
+
+#[test]
+fn whole_numbers_are_factors_of_the_argument() {
+    are_read(&[
+        ("a = \\cos n\\pi", "a = cos(n·π)"),
+        ("a = \\sin n\\pi x", "a = sin(n·π·x)"),
+        ("a = \\cos nx\\,dx", "a = cos(n·x)·dx"),
+        ("a = \\sin m\\phi", "a = sin(m·φ)"),
+        ("a = \\sin n\\pi x/L", "a = sin((n·π·x)/L)"),
+        ("a = \\cos 2\\pi t/T", "a = cos((2·π·t)/T)"),
+    ]);
+    are_refused(&[
+        "a = \\cos ax",
+        "a = \\cos n\\pi xy",
+        "a = \\cos np",
+        "a = \\sin n\\pi x/2",
+        "a = \\sin 2\\pi x/Lb",
+        "a = \\sin\\omega t/T",
+        "a = \\cos n\\pi m\\pi",
+    ]);
+}
+
+#[test]
+fn numbers_before_a_display_are_no_part_of_it() {
+    for number in ["(1)", "(2.4)", "[3]", "1.", "(a)"] {
+        are_read(&[(&format!("{number}\\quad a = b"), "a = b")]);
+    }
+    are_refused(&["(1)\\; a = b", "(1) a = b"]);
+    are_read(&[("(2)(x) = a", "2·x = a"), ("(2) + a = b", "2 + a = b"), ("(x)\\, y = a", "x·y = a")]);
+}
+
+#[test]
+fn remarks_in_brackets_are_left_out_and_concentrations_are_not() {
+    are_read(&[
+        ("a = b \\quad [\\text{law of reflection}]", "a = b"),
+        ("a = b \\quad [\\text{Snell's law}]\\\\ c = f", "a = b ¦ c = f"),
+    ]);
+    let found = statements_of("a = k\\,[\\text{NaCl}]").unwrap_or_default();
+    assert!(found.is_empty() || found.contains("NaCl"), "{found}");
+}
+
+#[test]
+fn decibels_are_a_unit() {
+    are_read(&[
+        ("a = 30\\text{ dB}", "a = 30·dB"),
+        ("a = 10\\log_{10} x \\text{ dB}", "a = 10·log_{10}(x)·dB"),
+        ("a = 30 \\quad \\text{loud}", "a = 30 ¦ loud"),
+    ]);
+}
+
+#[test]
+fn short_forms_are_no_products() {
+    are_refused(&["y = 0.1API", "y = a ROC", "V = a SOC"]);
+    are_read(&[
+        ("SWR = a", "SWR = a"),
+        ("BIL = mg", "B·I·L = m·g"),
+        ("PVT = a", "P·V·T = a"),
+        ("A = U S V^T U", "A = U·S·V^{T}·U"),
+    ]);
+}
+
+#[test]
+fn j_is_imaginary_before_an_impedance_in_a_sum_and_in_a_phase() {
+    are_read(&[
+        ("Z = R + jX", "Z = R + i·X"),
+        ("V = V_0 e^{-j\\beta z}", "V = V_0·e^(−i·β·z)"),
+        ("a = e^{j\\pi/3}", "a = e^((i·π)/3)"),
+        ("J = j E", "J = j·E"),
+    ]);
+    are_refused(&["a = jX", "a = e^{jx}"]);
+    let found = statements_of("Z_j = R + jX").unwrap_or_default();
+    assert!(!found.contains("i·X"), "{found}");
+}
+
+#[test]
+fn letters_of_units_after_a_number_are_no_quantities() {
+    are_refused(&[
+        "a = \\frac{26 mV}{1 mA}",
+        "a = 3 mm",
+        "R = 26 \\Omega",
+        "R = 50\\ \\Omega",
+        "R = 10 k\\Omega",
+        "c = 3\\times10^8 m/s",
+    ]);
+    are_read(&[
+        ("a = 2\\Omega v", "a = 2·Ω·v"),
+        ("a = 2\\Omega", "a = 2·Ω"),
+        ("\\rho = 2\\,\\Omega\\,\\mathrm{m}", "ρ = 2·(Ω·m)"),
+        ("a = 2mv", "a = 2·m·v"),
+    ]);
+}
+
+#[test]
+fn differentials_behind_several_signs_have_one_order() {
+    are_refused(&[
+        "M = \\int_0^R\\int_0^\\pi r^2 dr\\sin\\theta d\\theta",
+        "V = \\int_0^R\\int_0^\\pi\\int_0^{2\\pi} r^2\\sin\\theta\\,dr\\,d\\theta\\,d\\phi",
+        "A = \\int_0^1\\int_0^x f\\,dx\\,dy",
+        "M = \\int_0^{2\\pi}\\int_0^\\pi f\\,d\\phi\\,d\\theta",
+    ]);
+    are_read(&[
+        ("A = \\int_0^{2\\pi}\\int_0^R r\\,dr\\,d\\theta", "A = ∫_{0}^{2π}(∫_{0}^{R}(r·dr)·dθ)"),
+        ("A = \\int_0^1\\int_0^x f\\,dy\\,dx", "A = ∫_{0}^{1}(∫_{0}^{x}(f·dy)·dx)"),
+        ("A = \\int_0^a\\int_0^b f\\,dx\\,dy", "A = ∫_{0}^{a}(∫_{0}^{b}(f·dx)·dy)"),
+    ]);
+}
+
+#[test]
+fn groups_frames_and_lists_are_no_products_and_powers() {
+    are_read(&[("x \\in \\mathbb{SE}(2)", "x ∈ SE(2)"), ("k = 2\\pi(a, b)", "k = 2·π·(a, b)")]);
+    let found = statements_of("T_i^{i-1} = a").unwrap_or_default();
+    assert!(!found.contains("^("), "{found}");
+    are_read(&[("x_n^{k-1} = a", "x_n^(k − 1) = a")]);
+    are_refused(&["u_{xx} + u_{yy} = 0"]);
+}
+
+#[test]
+fn primes_beside_dots_and_in_products_of_two_name_quantities() {
+    are_read(&[
+        ("y' = y + h \\Rightarrow \\ddot y' = a", "y' = y + h ¦ y'̈ = a"),
+        ("I\\omega = I'\\omega'", "I·ω = I'·ω'"),
+        ("n\\sin\\theta = n'\\sin\\theta'", "n·sin(θ) = n'·sin(θ')"),
+    ]);
+    are_refused(&["a + T' = \\kappa T", "\\frac{T'}{T} = \\frac{X'}{X}"]);
+}
+
+#[test]
+fn a_current_is_differentiated() {
+    are_read(&[("v = L\\frac{di}{dt} + Ri", "v = L·d/dt(i) + R·i"), ("v = L di/dt + Ri", "v = L·d/dt(i) + R·i")]);
+    are_refused(&["v = Ri", "v = L\\frac{dx}{dt} + Ri"]);
+}
+
+#[test]
+fn fields_at_two_places_are_functions_and_springs_are_not() {
+    are_read(&[
+        ("F = u(x-b) - u(x+b)", "F = u(x − b) − u(x + b)"),
+        ("F = -k(x-b) - k(x+b)", "F = −k·(x − b) − k·(x + b)"),
+        ("Z = \\frac{V(-b)}{I(-b)}", "Z = V(−b)/I(−b)"),
+    ]);
+    are_refused(&["F = u(x-b)", "Z = \\frac{V(-b)}{I(-c)}"]);
+}
+
+#[test]
+fn resistances_divide_a_voltage() {
+    are_read(&[
+        ("V_{out} = V_{in}\\left(1 + \\frac{R_2}{R_1}\\right)", "V_{out} = V_{in}·(1 + R_2/R_1)"),
+        ("a = v_{be}\\left(\\frac{R}{R + r}\\right)", "a = v_{be}·(R/(R + r))"),
+        ("A = x\\left[\\begin{matrix} 0 & 1 \\\\ 1 & 0 \\end{matrix}\\right]", "A = x·[0, 1; 1, 0]"),
+    ]);
+    are_refused(&["a = V_{in}(1 + x)", "a = V(1 + \\frac{R_2}{R_1})"]);
+}
+
+#[test]
+fn a_d_before_logarithms_is_a_differential() {
+    are_read(&[
+        ("\\mathrm{d}\\ln p = \\mathrm{d}\\ln T", "d(ln(p)) = d(ln(T))"),
+        ("dS = C d\\ln T", "dS = C·d(ln(T))"),
+    ]);
+    are_refused(&["a = d\\ln 2"]);
+}
+
+#[test]
+fn what_holds_for_all_is_a_condition() {
+    are_read(&[("\\forall x,\\; f(x) = 0", "f(x) = 0")]);
+    are_refused(&["\\forall x"]);
+}
