@@ -20,7 +20,7 @@ use super::pieces::{Piece, Printed, pieces, without_ranges};
 use super::reader::Reader;
 use super::reader::algebra::evidence;
 use super::reader::structure::{fault_in, note_levels, note_possible_indices};
-use super::reader::undeclared::{note_marks, unclear_derivative, unclear_name, unclear_pairing, uses, vectors};
+use super::reader::undeclared::{note_marks, unclear, unclear_name, uses, vectors};
 
 /// The result of reading a display.
 #[derive(Clone, Debug, Default)]
@@ -66,12 +66,9 @@ fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
     if symbols.open {
         symbols.inferred.active = true;
         infer(&items, symbols);
-        let unclear = unclear_name(&items).or_else(|| uses::of(&items).unclear());
-        let unclear = unclear
-            .or_else(|| vectors::unclear_product(&items))
-            .or_else(|| unclear_derivative(&items))
-            .or_else(|| unclear_pairing(&items));
-        if let Some(fault) = unclear {
+        let fault = unclear_name(&items).or_else(|| uses::of(&items).unclear());
+        let fault = fault.or_else(|| vectors::unclear_product(&items)).or_else(|| unclear(&items));
+        if let Some(fault) = fault {
             reading.statements.push(Err(fault));
             return reading;
         }

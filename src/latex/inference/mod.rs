@@ -39,7 +39,7 @@ pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
     let is_abstract = symbols.inferred.abstractly;
     let found = uses::of(items);
     symbols.inferred.factors = found.factors();
-    symbols.inferred.i_varies = found.has_dot("i") || current::is_differentiated(items);
+    symbols.inferred.i_varies = found.has_dot("i") || current::is_a_quantity(items);
     let of_two_places: Vec<(Name, Option<String>)> = found.functions().into_iter().map(|name| (name, None)).collect();
     symbols.inferred.exponents = found.exponents;
     let factors = symbols.inferred.factors.clone();
@@ -286,7 +286,9 @@ impl Evidence {
         let name = Name { primes: 0, ..found.name };
         // Two primes on a vector name another one as often.
         let is_vector = ["\\vec{", "\\mathbf{", "\\hat{"].iter().any(|mark| name.base.contains(mark));
-        if primes > 1 && !is_vector && !self.primed.contains(&name) {
+        // `q''_s`, `\dot q''`: a flux per area.
+        let is_flux = ["q", "m", "Q"].contains(&name.base.as_str()) && (found.dots > 0 || !name.subscript.is_empty());
+        if primes > 1 && !is_vector && !is_flux && !self.primed.contains(&name) {
             self.primed.push(name.clone());
         }
         let Some((delimiter, inside)) = next.filter(|next| !is_unit_in_brackets(next)).and_then(fence) else { return };

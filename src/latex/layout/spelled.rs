@@ -224,6 +224,7 @@ pub(super) fn with_names(tokens: Vec<Token>) -> Vec<Token> {
         spots.iter().any(|(at, name)| NUMBERS.contains(&name.as_str()) && is_left_side(&tokens, *at, name.len()));
     let is_sure = |at: usize, name: &String| {
         name == "Re" && is_no_real_part(&tokens, at)
+            || is_of_a_flow(&tokens, at, name)
             || match NUMBERS.contains(&name.as_str()) {
                 true => has_number,
                 false => spots.iter().any(|(at, other)| other == name && is_term(&tokens, *at, name.len())),
@@ -257,6 +258,16 @@ fn name_at(tokens: &[Token], at: usize) -> Option<String> {
     let length = if is_inside { 0 } else { run(&tokens[at..]) };
     let word: String = tokens[at..at + length].iter().filter_map(letter).collect();
     (NAMES.contains(&word.as_str()) || NUMBERS.contains(&word.as_str())).then_some(word)
+}
+
+/// Whether a number of a flow has the length or the place below it for which it holds: `Re_D`, `Nu_L`, `Re_x`.
+fn is_of_a_flow(tokens: &[Token], at: usize, name: &str) -> bool {
+    let [sub, below, ..] = &tokens[at + name.len()..] else { return false };
+    let length = |token: &Token| letter(token).is_some_and(|c| "DLdhHx".contains(c));
+    let is_braced = || tokens.get(at + name.len() + 2).is_some_and(length);
+    NUMBERS[..2].contains(&name)
+        && sub.kind == TokenKind::Sub
+        && (length(below) || below.kind == TokenKind::Open && is_braced())
 }
 
 /// Whether what follows "Re" is no complex number of which it is the real part. Nobody multiplies R by Euler's number.

@@ -125,10 +125,13 @@ pub(super) fn is_aside(items: &[&Item], at: usize) -> bool {
         Layout::Fence(..) => is_last,
         // `\text{ by hypothesis}`, `\text{using the chain rule}`; spaces are left out of a text.
         Layout::Text(word) => {
-            is_last
-                && ["by", "using", "from", "since"]
-                    .iter()
-                    .any(|first| word.len() > first.len() + 3 && word.starts_with(first))
+            // `q = h A \Delta T \quad \text{W}` names the unit of the result.
+            let is_apart = items[at - 1].layout == Layout::Space(Space::Wide);
+            is_last && is_apart && is_unit(word)
+                || is_last
+                    && ["by", "using", "from", "since"]
+                        .iter()
+                        .any(|first| word.len() > first.len() + 3 && word.starts_with(first))
         }
         _ => false,
     }
@@ -215,7 +218,7 @@ fn names_a_unit(word: &str) -> bool {
 
 /// Whether a word is a quotient of short words, of which the first may be a unit: `J/bit`, `counts/s`.
 fn is_rate_of_units(word: &str) -> bool {
-    const LONGEST: usize = 7;
+    const LONGEST: usize = 10;
     let is_word = |part: &str| (1..=LONGEST).contains(&part.len()) && part.chars().all(char::is_alphabetic);
     let parts: Vec<&str> = word.trim_end_matches(['.', ',', ';']).split('/').collect();
     parts.len() == 2 && parts.iter().all(|part| is_word(part) && !is_prose(part))

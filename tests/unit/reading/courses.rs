@@ -1,6 +1,6 @@
 //! Forms of lecture notes that were read as something else: each stands beside a form that differs little and has another reading.
 
-use super::{are_read, are_refused, statements_of};
+use super::*;
 
 #[test]
 fn an_angle_before_the_time_may_end_the_argument() {
@@ -182,4 +182,70 @@ fn a_d_before_logarithms_is_a_differential() {
 fn what_holds_for_all_is_a_condition() {
     are_read(&[("\\forall x,\\; f(x) = 0", "f(x) = 0")]);
     are_refused(&["\\forall x"]);
+}
+
+#[test]
+fn a_variable_in_a_fraction_is_all_of_the_argument() {
+    are_refused(&["y = \\sin\\frac{\\pi x}{L}(1 - \\sin\\frac{\\pi x}{L})", "y = \\sin\\frac{\\pi x}{L}(1 - a)"]);
+    are_read(&[
+        ("y = \\sin\\frac{2\\pi}{\\lambda}(x - ct)", "y = sin(((2·π)/λ)·(x − c·t))"),
+        ("y = \\sin\\tfrac12(\\alpha + \\beta)", "y = sin((1/2)·(α + β))"),
+        ("x = v\\cos\\theta\\cdot t", "x = v·cos(θ)·t"),
+    ]);
+    are_refused(&["x = v\\cos\\omega\\cdot t"]);
+}
+
+#[test]
+fn a_thickness_before_an_integral_is_no_variation() {
+    are_refused(&[
+        "a = \\int_0^\\delta f\\,dy = \\delta\\int_0^1 f\\,d\\eta",
+        "\\frac{a}{\\delta} + \\delta\\int f\\,dt = 0",
+    ]);
+    are_read(&[("\\delta\\int L\\,dt = 0", "δ(∫(L·dt)) = 0")]);
+}
+
+#[test]
+fn a_flux_has_primes_and_is_no_derivative() {
+    let said = |latex: &str| {
+        let mut symbols = Symbols::for_reading();
+        read_display(latex, &mut symbols, &Macros::default());
+        symbols.inferred.said.join(", ")
+    };
+    assert!(!said("q''_s = h a").contains("derivative"));
+    assert!(said("y'' = h a").contains("derivative"));
+}
+
+#[test]
+fn i_is_a_current_or_an_angle_beside_what_has_no_imaginary_part() {
+    are_read(&[
+        ("B = \\frac{\\mu_0 i}{2\\pi r}", "B = (μ_0·i)/(2·π·r)"),
+        ("n = \\frac{\\sin i}{\\sin r}", "n = sin(i)/sin(r)"),
+        ("a^\\dagger = x - ip", "a^{†} = x − i·p"),
+    ]);
+    are_refused(&["B = \\frac{\\mu i}{2\\pi r}", "n = \\frac{\\sin ir}{r}", "a = x - ip"]);
+}
+
+#[test]
+fn a_power_before_a_quotient_is_a_factor() {
+    are_read(&[("P = I^2\\left(\\frac{a b}{c}\\right)", "P = I^2·((a·b)/c)")]);
+    are_refused(&["P = V^2\\left(\\frac{x}{c}\\right)", "P = I\\left(\\frac{a b}{c}\\right)"]);
+    are_read(&[("a = \\frac{b}{(1.6\\times10^{-19})(0.5)}", "a = b/((1.6·10^(−19))·0.5)")]);
+    are_refused(&["y = f(x) (3.1)"]);
+}
+
+#[test]
+fn units_beside_a_result_are_no_statements() {
+    are_read(&[
+        ("q = h a \\quad \\text{W/m}", "q = h·a"),
+        ("a = 174\\,\\text{W/per stream}", "a = 174·W/perstream"),
+        ("a = b \\quad \\text{loud}", "a = b ¦ loud"),
+    ]);
+    are_refused(&["P = \\frac{1}{f(\\text{in m})}"]);
+    are_read(&[("P = f(\\text{max})", "P = f(max)")]);
+}
+
+#[test]
+fn numbers_of_a_flow_have_a_length_below_them() {
+    are_read(&[("a = \\sqrt{Re_D} b", "a = √(Re_D)·b")]);
+    are_refused(&["a = Re_t b", "a = 2Re b"]);
 }

@@ -6,9 +6,9 @@ use crate::formula::symbols::{Kind, Name};
 use super::super::super::arguments::names_itself;
 use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
-use super::super::items::{is_transpose, joint};
+use super::super::items::{is_numeric_item, is_transpose, joint, whole_number};
 use super::super::state::Reader;
-use super::inside::{has_rate, parenthesis, relation_or_comma};
+use super::inside::{FIELDS, has_rate, is_function, parenthesis, relation_or_comma};
 
 impl Reader<'_> {
     /// Whether braces hold a sum, `D\{a + b\}`, or a coefficient stands before brackets around parentheses, `a[(b + c) + d]`.
@@ -80,6 +80,21 @@ impl Reader<'_> {
         let is_labelled = is_electric(name) && !is_powered;
         let is_value = name.subscript == ["0"] && begins || is_labelled && (is_divided || is_divider);
         name.primes == 0 && (is_factor || is_squared || is_value || inferred.matrices.contains(&name.base))
+    }
+
+    /// Whether a power of a letter that is no usual function stands before a quotient of letters, `I^2\left(\frac{\rho L}{A}\right)`: the power
+    /// of a value would stand behind the parenthesis.
+    pub(super) fn is_before_a_quotient(&self, id: SymbolId, sup: Option<&Item>, next: &Item) -> bool {
+        let entry = self.symbols.entry(id);
+        let is_power = sup.and_then(whole_number).is_some_and(|power| power > 1);
+        let is_quotient = matches!(&next.layout, Layout::Fence(Delimiter::Round, inside)
+            if matches!(inside.as_slice(), [only] if matches!(only.layout, Layout::Fraction(..)) && !is_numeric_item(only)));
+        self.symbols.open
+            && is_power
+            && is_quotient
+            && !is_function(entry)
+            && !FIELDS.contains(&entry.name.base.as_str())
+            && !self.is_inferred_function(&entry.name)
     }
 
     /// Whether a vector stands before a sum of vectors, `\mathbf{E}(\mathbf{r} - \mathbf{a})`: it is a function or a matrix, since

@@ -2,7 +2,9 @@
 
 use crate::formula::symbols::Name;
 
-use super::super::super::layout::{Item, Layout};
+use super::super::super::layout::{Item, Layout, parts};
+use super::super::super::names;
+use super::super::items::{function_head, is_numeric_item};
 
 /// Whether a letter usually is an angle.
 pub(super) fn is_letter_of_an_angle(name: &Name) -> bool {
@@ -56,4 +58,23 @@ pub(super) fn is_no_frequency(name: &Name) -> bool {
 
 pub(super) fn is_pi(item: &Item) -> bool {
     item.layout == Layout::Command("\\pi".to_owned())
+}
+
+/// Whether a fraction in an argument has a variable of its own, so that a parenthesis behind it with a sine may be a factor:
+/// `\sin\frac{\pi x}{L}(1 - \cos\theta)`. In `\sin\frac{2\pi}{\lambda}(x - ct)` it is a factor of the parenthesis.
+pub(super) fn is_whole_argument(argument: &[Item], parenthesis: &Item) -> bool {
+    const VARIABLES: [&str; 14] =
+        ["x", "y", "z", "r", "t", "s", "u", "\\theta", "\\phi", "\\varphi", "\\eta", "\\xi", "\\tau", "\\zeta"];
+    fn varies(items: &[Item]) -> bool {
+        items.iter().any(|item| {
+            let is_variable =
+                names::printed(item, None).is_some_and(|found| VARIABLES.contains(&found.name.base.as_str()));
+            is_variable || parts(item).into_iter().any(varies)
+        })
+    }
+    fn has_function(item: &Item) -> bool {
+        matches!(function_head(item), Ok(Some(_))) || parts(item).into_iter().flatten().any(has_function)
+    }
+    let fraction = argument.iter().find(|item| matches!(item.layout, Layout::Fraction(..)) && !is_numeric_item(item));
+    fraction.is_some_and(|fraction| varies(std::slice::from_ref(fraction)) || has_function(parenthesis))
 }

@@ -17,7 +17,8 @@ use super::items::{Joint, differential, function_head, is_number, is_numeric, is
 use super::state::{Read, Reader};
 use super::structure::is_function_letter;
 use letters::{
-    is_counted, is_direction, is_letter_of_an_angle, is_no_frequency, is_pi, is_usual_angle, is_whole_number,
+    is_counted, is_direction, is_letter_of_an_angle, is_no_frequency, is_pi, is_usual_angle, is_whole_argument,
+    is_whole_number,
 };
 pub(super) use written_out::written_out;
 
@@ -277,7 +278,9 @@ impl Reader<'_> {
             }
             _ => false,
         };
-        if is_circular && run.numbers > 0 && run.symbols.is_empty() && items.get(run.end).is_some_and(is_sum) {
+        let is_factor =
+            items.get(run.end).is_some_and(|next| is_sum(next) && !is_whole_argument(&items[start..run.end], next));
+        if is_circular && run.numbers > 0 && run.symbols.is_empty() && is_factor {
             run.end += 1;
             run.stands_alone = true;
         }
@@ -374,7 +377,10 @@ impl Reader<'_> {
         // `\sin 2 \cdot \theta`, `\sin\omega\cdot t`: the dot may stand inside of the argument.
         let is_bare_number = run.symbols.is_empty() && !run.stands_alone && !is_numeric_item(&items[start]);
         let dot_follows = next.is_some_and(|item| matches!(joint(item), Some(Joint::CDot | Joint::Times)));
-        let multiplied = dot_follows && (is_bare_number || !run.has_angle() && self.is_time(items.get(run.end + 1)));
+        // `v\cos\theta\cdot t`: an angle that is no frequency has no time as a factor.
+        let ends_with_an_angle = matches!(run.symbols.as_slice(), [(_, only)] if is_no_frequency(only));
+        let before_time = !run.has_angle() && !ends_with_an_angle && self.is_time(items.get(run.end + 1));
+        let multiplied = dot_follows && (is_bare_number || before_time);
         let number_follows = !run.symbols.is_empty()
             && !run.has_angle()
             && next.is_some_and(|item| is_number(item) || self.is_leading_number(item, false));

@@ -8,7 +8,7 @@
 //! | --- | --- |
 //! | `functions` | `V(r)`, `V'(r)`, `x(0)`, `f(x + h)`, where the use of the name shows a function |
 //! | `coefficient_d` | whether d is a factor in a display, and no differential |
-//! | `current` | whether i is a current in a display, and not √−1 |
+//! | `current` | whether i is a current or an angle in a display, and not √−1 |
 //! | `sums` | `\sum`, `\prod`, `\lim`, `\dots` |
 //! | `integrals` | `\int`, `\oint`, differentials in the integrand |
 //! | `fields` | `\nabla` |
@@ -31,7 +31,7 @@ pub(in super::super) use marks::note_marks;
 pub(super) use neighbours::unclear_reach;
 pub(in super::super) use spelled_names::unclear_name;
 pub(super) use sums::follows_a_sum;
-pub(in super::super) use unclear::{unclear_derivative, unclear_pairing};
+pub(in super::super) use unclear::unclear;
 
 mod bars;
 pub(super) mod bound;

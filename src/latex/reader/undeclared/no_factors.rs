@@ -76,3 +76,13 @@ pub(super) fn is_twice_pi(items: &[Item]) -> bool {
     let is_pi = solid.next().is_some_and(|pi| pi.layout == Layout::Command("\\pi".to_owned()));
     is_pi && solid.next().is_some_and(|two| two.layout == Layout::Number("2".to_owned()))
 }
+
+/// Whether an item is a parenthesis with numbers alone in it, `(1.6 \times 10^{-19})`, behind which a number in parentheses is a factor.
+pub(super) fn are_numbers(item: &Item) -> bool {
+    let is_number = |item: &Item| match &item.layout {
+        Layout::Number(_) | Layout::Other('-') => true,
+        Layout::Scripts { nucleus, sub: None, .. } => matches!(nucleus.layout, Layout::Number(_)),
+        _ => joint(item).is_some(),
+    };
+    matches!(&item.layout, Layout::Fence(Delimiter::Round, inside) if inside.iter().all(is_number))
+}

@@ -15,7 +15,7 @@ const FIELDS: [&str; 6] = ["u", "\\phi", "\\varphi", "\\Phi", "\\psi", "\\Psi"];
 const VARIABLES: [&str; 5] = ["t", "x", "y", "z", "r"];
 
 /// The fault of such a derivative in a display.
-pub(in super::super::super::super) fn unclear_derivative(items: &[Item]) -> Option<Fault> {
+pub(super) fn unclear_derivative(items: &[Item]) -> Option<Fault> {
     let mut found = Found::default();
     found.list(items);
     if let Some((name, span)) = found.laplacian() {

@@ -13,7 +13,7 @@ use super::super::super::super::rows::relation;
 use super::super::super::items::{differential, is_any_integral, is_integral};
 
 /// The fault of such integrals in a display.
-pub(in super::super::super::super) fn unclear_pairing(items: &[Item]) -> Option<Fault> {
+pub(super) fn unclear_pairing(items: &[Item]) -> Option<Fault> {
     let is_end = |item: &Item| matches!(item.layout, Layout::Row | Layout::Align) || relation(item).is_some();
     let here = items.split(is_end).find_map(of_a_side);
     here.or_else(|| items.iter().find_map(|item| parts(item).into_iter().find_map(unclear_pairing)))
