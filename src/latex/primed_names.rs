@@ -130,6 +130,10 @@ impl Found {
             self.terms.extend(solid.split(is_sign).map(names_of));
             let [first, equal, right @ ..] = solid.as_slice() else { continue };
             let Some(Printed { name, dots: 0, sup: None }) = names::printed(first, None) else { continue };
+            // `\vec p = \vec p' + M\vec V`: a vector is seen from another frame.
+            let other = Name { primes: 1, ..name.clone() };
+            let is_seen = |term: &[&Item]| matches!(term, [only] if names::printed(only, None).is_some_and(|found| found.name == other));
+            self.has_frame |= is_vector(&name) && name.primes == 0 && right.split(is_sign).any(is_seen);
             if name.primes != 1 || relation(equal).is_none() {
                 continue;
             }
@@ -166,8 +170,7 @@ impl Found {
             self.has_lorentz |= name.base == "\\gamma"
                 && matches!(next, Some(Item { layout: Layout::Fence(Delimiter::Round | Delimiter::Square, inside), .. })
                     if is_sum(inside));
-            let is_vector = ["\\mathbf{", "\\vec{", "\\hat{"].iter().any(|mark| name.base.starts_with(mark));
-            self.has_frame |= is_vector && name.primes == 1 && name.subscript.len() == 1;
+            self.has_frame |= is_vector(&name) && name.primes == 1 && name.subscript.len() == 1;
             self.has_frame |= name.base == "\\Lambda" && next.is_some_and(|next| names::printed(next, None).is_some());
             self.has_second |= name.primes > 1;
             if name.primes == 1 {
@@ -223,6 +226,10 @@ impl Found {
 fn is_greek(sup: &Item) -> bool {
     matches!(crate::latex::layout::contents(sup),
         [Item { layout: Layout::Command(name), .. }] if name == "\\mu" || name == "\\nu")
+}
+
+fn is_vector(name: &Name) -> bool {
+    ["\\mathbf{", "\\vec{", "\\hat{"].iter().any(|mark| name.base.starts_with(mark))
 }
 
 /// The names in a term, those in its fractions, functions and roots too.

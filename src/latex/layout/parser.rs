@@ -337,7 +337,8 @@ impl<'a> Parser<'a> {
                 {
                     self.next();
                 }
-                let mut inner = self.argument(span);
+                // `\mathrm{~d} x`: the space stands before the word.
+                let mut inner = trimmed(self.argument(span));
                 // `\operatorname{arg\,min}`
                 if let Layout::Group(items) = &mut inner.layout
                     && ["arg min", "arg max"].contains(&letters_and_spaces(items).as_str())

@@ -3,6 +3,7 @@
 use super::super::layout::{Delimiter, Item, Layout, contents, latex};
 use super::super::lexer::Space;
 use super::super::reader::structure::is_prose;
+use super::super::reader::words::is_power_in_a_program;
 use super::super::rows::{is_operator, is_significant, relation};
 use super::conditions::begins_condition;
 use super::separators::{says_constant, separates};
@@ -68,6 +69,11 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
     let is_beside = at > 0 && items[at - 1].layout != Layout::Space(Space::Wide);
     let before = items[..at].iter().rev().find(is_significant);
     let is_formula = before.is_some_and(|item| !is_operator(item) && relation(item).is_none() && !separates(item));
+    // `k\text{x}` and `8.62\text{e-5}` are parts of the formula.
+    let is_letter = word.chars().count() == 1 && word.chars().all(char::is_alphabetic);
+    if is_beside && is_formula && (is_letter || number && is_power_in_a_program(&word)) {
+        return false;
+    }
     if is_beside && (number && (names_a_unit(&word) || is_rate_of_units(&word)) || is_formula && is_unit(&word)) {
         return false;
     }

@@ -13,7 +13,7 @@ use super::items::{
 };
 use super::state::{Read, Reader};
 use super::undeclared::follows_a_sum;
-use super::words::{are_no_words, run_of_letters};
+use super::words::{are_no_words, is_power_in_a_program, run_of_letters};
 
 impl Reader<'_> {
     /// A sum of terms with signs; all of `items`. `end` is the place of a fault if there are no items.
@@ -25,6 +25,7 @@ impl Reader<'_> {
             is_no_spelled_unit(items)?;
         }
         if self.symbols.open {
+            is_no_computer_notation(items)?;
             is_no_error_of_measurement(items)?;
             is_no_range(items)?;
         }
@@ -278,15 +279,43 @@ fn is_no_error_of_measurement(items: &[Item]) -> Read<()> {
     }
 }
 
+/// Rejects `8.62e-5`: a power of ten as in a program, or a difference.
+fn is_no_computer_notation(items: &[Item]) -> Read<()> {
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let is_number = |item: &Item| matches!(item.layout, Layout::Number(_));
+    let is_e = |item: &Item| matches!(item.layout, Layout::Letter('e' | 'E'));
+    let is_sign = |item: &Item| match &item.layout {
+        Layout::Other('+' | '-') => true,
+        Layout::Text(word) => ["-", "+", "−"].contains(&word.as_str()),
+        _ => false,
+    };
+    // `8.62\text{e-5}`
+    let is_power = |item: &Item| matches!(&item.layout, Layout::Text(word) if is_power_in_a_program(word));
+    let found = solid
+        .windows(4)
+        .find(|four| is_number(four[0]) && is_e(four[1]) && is_sign(four[2]) && is_number(four[3]))
+        .or_else(|| solid.windows(2).find(|two| is_number(two[0]) && is_power(two[1])));
+    match found {
+        Some(found) => Err(Fault::ambiguous(
+            found[0].span.to(found[found.len() - 1].span),
+            "e after a number may begin a power of ten, or be a quantity",
+        )
+        .help("write 8 \\times 10^{-5} for the power of ten, or -5 + 8e for the difference")),
+        None => Ok(()),
+    }
+}
+
 /// Rejects `9.8 m/s^2`, `1000 kg/m^3`: letters of units after a number are no quantities as a rule.
 fn is_no_spelled_unit(items: &[Item]) -> Read<()> {
-    const UNITS: [&str; 44] = [
-        "mV", "kV", "kN", "mW", "MW", "kWh", "nF", "pF", "mH", "mT", "ns", "dB", "m", "s", "kg", "K", "N", "J", "W",
-        "V", "A", "C", "T", "Pa", "Hz", "nm", "cm", "mm", "km", "eV", "keV", "MeV", "GeV", "kPa", "MPa", "kJ", "kW",
-        "ms", "mol", "rad", "GHz", "MHz", "kHz", "mA",
+    const UNITS: [&str; 46] = [
+        "atm", "bar", "mV", "kV", "kN", "mW", "MW", "kWh", "nF", "pF", "mH", "mT", "ns", "dB", "m", "s", "kg", "K",
+        "N", "J", "W", "V", "A", "C", "T", "Pa", "Hz", "nm", "cm", "mm", "km", "eV", "keV", "MeV", "GeV", "kPa", "MPa",
+        "kJ", "kW", "ms", "mol", "rad", "GHz", "MHz", "kHz", "mA",
     ];
     /// What is hardly ever a product after a small number either.
-    const SURE: [&str; 7] = ["kg", "Hz", "Pa", "eV", "mol", "mm", "kWh"];
+    const SURE: [&str; 9] = ["kg", "Hz", "Pa", "eV", "mol", "mm", "kWh", "atm", "bar"];
+    /// What is a unit below another one: `20 km/h`.
+    const BELOW: [&str; 3] = ["h", "L", "min"];
     let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
     let Some(start) = items.iter().position(|item| !is_space(item)) else { return Ok(()) };
     let Layout::Number(digits) = &items[start].layout else { return Ok(()) };
@@ -319,10 +348,13 @@ fn is_no_spelled_unit(items: &[Item]) -> Read<()> {
     let mut goes_on = true;
     while at < items.len() {
         match run_of_letters(items, at) {
-            Some((word, span, length)) if UNITS.contains(&word.as_str()) => {
+            Some((word, span, length))
+                if UNITS.contains(&word.as_str()) || found.is_some() && goes_on && BELOW.contains(&word.as_str()) =>
+            {
                 let has_index = matches!(&items[at + length - 1].layout, Layout::Scripts { sub, primes, .. } if sub.is_some() || *primes > 0);
                 let is_product = found.as_ref().is_some_and(|(first, _)| ["kg", "N", "J"].contains(&first.as_str()))
-                    && ["m", "s", "K"].contains(&word.as_str());
+                    && ["m", "s", "K"].contains(&word.as_str())
+                    || found.is_some() && has_negative_power(&items[at + length - 1]);
                 if has_index || !(goes_on || is_product) {
                     return Ok(());
                 }
@@ -333,6 +365,22 @@ fn is_no_spelled_unit(items: &[Item]) -> Read<()> {
             }
             None if is_space(&items[at]) => at += 1,
             None if joint(&items[at]) == Some(Joint::Slash) => (goes_on, at) = (true, at + 1),
+            // `9.8\frac{m}{s^2}`
+            None if is_large && found.is_none() => {
+                let Layout::Fraction(above, below) = &items[at].layout else { return Ok(()) };
+                let word = |part: &Item| match run_of_letters(contents(part), 0) {
+                    Some((word, span, length)) if length == contents(part).len() => Some((word, span)),
+                    _ => None,
+                };
+                let (Some((unit, span)), Some((other, _))) = (word(above), word(below)) else { return Ok(()) };
+                let is_below = UNITS.contains(&other.as_str()) || BELOW.contains(&other.as_str());
+                if !UNITS.contains(&unit.as_str()) || !is_below {
+                    return Ok(());
+                }
+                goes_on = false;
+                found = Some((unit, span));
+                at += 1;
+            }
             _ => return Ok(()),
         }
     }
@@ -343,14 +391,20 @@ fn is_no_spelled_unit(items: &[Item]) -> Read<()> {
     }
 }
 
+/// Whether a factor has a negative power: `s^{-2}`.
+fn has_negative_power(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Scripts { sub: None, sup: Some(sup), .. }
+        if matches!(contents(sup).first(), Some(Item { layout: Layout::Other('-'), .. })))
+}
+
 /// Rejects `1.1 \times 10^7\,m^{-1}`: after a number and a space the letter is that of a unit more often than a quantity.
 fn is_no_italic_unit(items: &[Item]) -> Read<()> {
     let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
     let Some((last, numbers)) = solid.split_last() else { return Ok(()) };
-    let Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } = &last.layout else { return Ok(()) };
+    let Layout::Scripts { nucleus, primes: 0, .. } = &last.layout else { return Ok(()) };
     let Layout::Letter(letter) = nucleus.layout else { return Ok(()) };
     let is_unit = "mskKJNCVATWg".contains(letter);
-    let is_negative = matches!(contents(sup).first(), Some(Item { layout: Layout::Other('-'), .. }));
+    let is_negative = has_negative_power(last);
     let is_power = |item: &Item| matches!(&item.layout, Layout::Scripts { nucleus, .. } if matches!(nucleus.layout, Layout::Number(_)));
     let is_number = |item: &Item| {
         is_numeric_item(item) || is_power(item) || matches!(item.layout, Layout::Number(_)) || joint(item).is_some()

@@ -96,6 +96,13 @@ pub(super) fn run_of_letters(items: &[Item], at: usize) -> Option<(String, Span,
     Some((word, span, last + 1 - at))
 }
 
+/// Whether a word is the end of a number as programs write it: the `e-5` of `8.62e-5`.
+pub(in super::super) fn is_power_in_a_program(word: &str) -> bool {
+    let Some(power) = word.strip_prefix(['e', 'E']) else { return false };
+    let digits = power.trim_start_matches(['-', '+', '−']);
+    !digits.is_empty() && digits.chars().all(|c| c.is_ascii_digit())
+}
+
 /// The letter that an item is or begins with, and its place.
 fn start(item: &Item) -> Option<(String, Span)> {
     match &item.layout {

@@ -249,3 +249,97 @@ fn numbers_of_a_flow_have_a_length_below_them() {
     are_read(&[("a = \\sqrt{Re_D} b", "a = √(Re_D)·b")]);
     are_refused(&["a = Re_t b", "a = 2Re b"]);
 }
+
+#[test]
+fn a_slash_before_a_power_of_ten_may_divide_by_both() {
+    are_refused(&[
+        "a = 2.8\\times10^{-32}/1.05\\times10^{-34}",
+        "a = 3\\times10^8/2\\times10^6",
+        "a = b/1.5\\times10^6",
+    ]);
+    are_read(&[
+        ("a = 1/2\\times10^3", "a = (1/2)·10^3"),
+        ("a = 2.8\\times10^{-32}/1.05", "a = 2.8·(10^(−32)/1.05)"),
+        ("a = 0.5/60\\times4180", "a = (0.5/60)·4180"),
+    ]);
+}
+
+#[test]
+fn a_divergence_before_a_number_is_that_of_its_product_with_a_vector() {
+    are_read(&[("\\nabla\\cdot\\rho\\mathbf u = 0", "∇·(ρ·u) = 0")]);
+    are_refused(&["\\nabla\\cdot\\mathbf u\\rho = 0", "\\nabla\\rho\\mathbf u = 0", "\\nabla\\cdot\\rho u = 0"]);
+}
+
+#[test]
+fn a_vector_in_another_frame_makes_all_primes_names() {
+    are_read(&[("\\vec p = \\vec p' + M\\vec V, \\quad E = E' + a", "p⃗ = p⃗' + M·V⃗ ¦ E = E' + a")]);
+    are_refused(&["y = y' + b"]);
+}
+
+#[test]
+fn a_logarithm_before_a_slash_or_of_a_power_may_reach_on() {
+    are_refused(&[
+        "y = \\log a/b",
+        "y = 10\\log_{10} P/P_0",
+        "y = \\arg z/2",
+        "S = -\\sum_i p_i\\log p_i/q_i",
+        "y = \\log x^2",
+        "y = \\log_2 x^2",
+    ]);
+    are_read(&[
+        ("y = \\log(a)/b", "y = log(a)/b"),
+        ("y = \\log\\frac{a}{b}", "y = log(a/b)"),
+        ("y = \\log |x|/2", "y = log(|x|)/2"),
+        ("y = \\log x/\\log 2", "y = log(x)/log(2)"),
+        ("y = \\log 10^3", "y = log(10^3)"),
+        ("y = \\log x_2", "y = log(x_2)"),
+    ]);
+}
+
+#[test]
+fn italic_units_in_fractions_and_with_negative_powers_are_no_quantities() {
+    are_refused(&[
+        "g = 9.8\\frac{m}{s^2}",
+        "v = 72\\frac{km}{h}",
+        "g = 9.8 m s^{-2}",
+        "g = 9.8\\,m\\,s^{-2}",
+        "v = 20 km/h",
+        "p = 2 atm",
+    ]);
+    are_read(&[
+        ("K = 0.5 m v^2", "K = 0.5·m·v^2"),
+        ("a = 2\\frac{m}{s}", "a = 2·(m/s)"),
+        ("a = 0.5\\frac{m}{r}", "a = 0.5·(m/r)"),
+        ("h = 0.5 L", "h = 0.5·L"),
+    ]);
+}
+
+#[test]
+fn an_upright_d_behind_a_space_in_its_braces_is_a_differential() {
+    are_read(&[
+        ("y = \\int f \\mathrm{~d} x", "y = ∫(f·dx)"),
+        ("\\frac{\\mathrm{d} P}{\\mathrm{~d} r} = -a", "∂P/∂r = −a"),
+        ("L = 5 \\mathrm{~m}", "L = 5·m"),
+        ("y = \\mathrm{~d} + x", "y = d + x"),
+    ]);
+}
+
+#[test]
+fn numbers_as_in_programs_are_refused() {
+    are_refused(&["k = 8.62e-5", "k = 8.62 e\\text{-}5", "k = 8.62\\text{e-5}", "k = 8.62E-5"]);
+    are_read(&[("k = 2e - x", "k = 2·e − x"), ("k = -5 + 8.62e", "k = −5 + 8.62·e"), ("F = k\\text{x}", "F = k·x")]);
+}
+
+#[test]
+fn words_behind_a_comparison_are_no_factor_of_it() {
+    are_read(&[
+        (
+            "v = \\begin{cases} \\mu E & E < E_c \\text{ [low field]} \\\\ u & E \\ge E_c\\end{cases}",
+            "v = {μ·E if E<E_{c} lowfield; u if E ≥ E_c}",
+        ),
+        (
+            "v = \\begin{cases} a & x < 1 \\text{ and even} \\\\ b & \\text{otherwise}\\end{cases}",
+            "v = {a if x<1 andeven; b otherwise}",
+        ),
+    ]);
+}
