@@ -69,9 +69,11 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
     let is_beside = at > 0 && items[at - 1].layout != Layout::Space(Space::Wide);
     let before = items[..at].iter().rev().find(is_significant);
     let is_formula = before.is_some_and(|item| !is_operator(item) && relation(item).is_none() && !separates(item));
-    // `k\text{x}` and `8.62\text{e-5}` are parts of the formula.
+    // `k\text{x}`, `p\,\text{dV}` and `8.62\text{e-5}` are parts of the formula.
     let is_letter = word.chars().count() == 1 && word.chars().all(char::is_alphabetic);
-    if is_beside && is_formula && (is_letter || number && is_power_in_a_program(&word)) {
+    let is_differential = word.len() == 2 && word.starts_with('d') && word != "do" && word.is_ascii();
+    let is_power = number && is_power_in_a_program(&word);
+    if is_beside && is_formula && (is_letter || is_differential || is_power) {
         return false;
     }
     if is_beside && (number && (names_a_unit(&word) || is_rate_of_units(&word)) || is_formula && is_unit(&word)) {

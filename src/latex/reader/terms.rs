@@ -330,7 +330,8 @@ fn is_no_spelled_unit(items: &[Item]) -> Read<()> {
         return Ok(());
     }
     // `3\times10^8 m/s`: a power of ten stands before a unit more often than before a letter.
-    let is_large = digits.contains('.') || digits.len() > 1 || items[start..at].iter().any(is_power);
+    let has_power = items[start..at].iter().any(is_power);
+    let is_large = digits.contains('.') || digits.len() > 1 || has_power;
     // `26 \Omega`, `4\,\Omega`, `10 k\Omega`: a resistance, or a frequency that a small number is a factor of.
     let prefix = usize::from(matches!(items.get(at).map(|item| &item.layout), Some(Layout::Letter('k' | 'M' | 'm'))));
     let is_apart = at > 0 && is_space(&items[at - 1]);
@@ -365,16 +366,18 @@ fn is_no_spelled_unit(items: &[Item]) -> Read<()> {
             }
             None if is_space(&items[at]) => at += 1,
             None if joint(&items[at]) == Some(Joint::Slash) => (goes_on, at) = (true, at + 1),
-            // `9.8\frac{m}{s^2}`
+            // `6.6\times10^{-34} J\cdot s`
+            None if joint(&items[at]) == Some(Joint::CDot) && found.is_some() => at += 1,
+            // `9.8\frac{m}{s^2}`, `9\times10^9\frac{N m^2}{C^2}`
             None if is_large && found.is_none() => {
                 let Layout::Fraction(above, below) = &items[at].layout else { return Ok(()) };
-                let word = |part: &Item| match run_of_letters(contents(part), 0) {
-                    Some((word, span, length)) if length == contents(part).len() => Some((word, span)),
-                    _ => None,
-                };
-                let (Some((unit, span)), Some((other, _))) = (word(above), word(below)) else { return Ok(()) };
-                let is_below = UNITS.contains(&other.as_str()) || BELOW.contains(&other.as_str());
-                if !UNITS.contains(&unit.as_str()) || !is_below {
+                let (Some(above), Some(below)) = (words(above), words(below)) else { return Ok(()) };
+                let [(unit, span), ..] = above.as_slice() else { return Ok(()) };
+                let (unit, span) = (unit.clone(), *span);
+                let are_units = above.iter().all(|(word, _)| UNITS.contains(&word.as_str()))
+                    && below.iter().all(|(word, _)| UNITS.contains(&word.as_str()) || BELOW.contains(&word.as_str()));
+                let is_one = above.len() == 1 && below.len() == 1;
+                if !are_units || !(is_one || has_power || ["kg", "N", "J"].contains(&unit.as_str())) {
                     return Ok(());
                 }
                 goes_on = false;
@@ -389,6 +392,21 @@ fn is_no_spelled_unit(items: &[Item]) -> Read<()> {
             .help(format!("write \\mathrm{{{word}}} for the unit, and \\cdot before a quantity"))),
         _ => Ok(()),
     }
+}
+
+/// The runs of letters that are all of a numerator or denominator.
+fn words(part: &Item) -> Option<Vec<(String, Span)>> {
+    let (items, mut at, mut words) = (contents(part), 0, Vec::new());
+    while at < items.len() {
+        if matches!(items[at].layout, Layout::Space(_)) || joint(&items[at]) == Some(Joint::CDot) {
+            at += 1;
+            continue;
+        }
+        let (word, span, length) = run_of_letters(items, at)?;
+        words.push((word, span));
+        at += length;
+    }
+    Some(words)
 }
 
 /// Whether a factor has a negative power: `s^{-2}`.

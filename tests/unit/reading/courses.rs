@@ -305,12 +305,16 @@ fn italic_units_in_fractions_and_with_negative_powers_are_no_quantities() {
         "g = 9.8\\,m\\,s^{-2}",
         "v = 20 km/h",
         "p = 2 atm",
+        "h = 6.63\\times10^{-34} J\\cdot s",
+        "k = 8.99\\times10^9\\frac{N m^2}{C^2}",
     ]);
     are_read(&[
         ("K = 0.5 m v^2", "K = 0.5·m·v^2"),
         ("a = 2\\frac{m}{s}", "a = 2·(m/s)"),
         ("a = 0.5\\frac{m}{r}", "a = 0.5·(m/r)"),
         ("h = 0.5 L", "h = 0.5·L"),
+        ("a = 0.5 C\\cdot V^2", "a = 0.5·C·V^2"),
+        ("a = 0.5\\frac{m V^2}{T}", "a = 0.5·((m·V^2)/T)"),
     ]);
 }
 
@@ -318,6 +322,7 @@ fn italic_units_in_fractions_and_with_negative_powers_are_no_quantities() {
 fn an_upright_d_behind_a_space_in_its_braces_is_a_differential() {
     are_read(&[
         ("y = \\int f \\mathrm{~d} x", "y = ∫(f·dx)"),
+        ("y = \\int f \\text d \\mu", "y = ∫(f·dμ)"),
         ("\\frac{\\mathrm{d} P}{\\mathrm{~d} r} = -a", "∂P/∂r = −a"),
         ("L = 5 \\mathrm{~m}", "L = 5·m"),
         ("y = \\mathrm{~d} + x", "y = d + x"),
@@ -328,6 +333,7 @@ fn an_upright_d_behind_a_space_in_its_braces_is_a_differential() {
 fn numbers_as_in_programs_are_refused() {
     are_refused(&["k = 8.62e-5", "k = 8.62 e\\text{-}5", "k = 8.62\\text{e-5}", "k = 8.62E-5"]);
     are_read(&[("k = 2e - x", "k = 2·e − x"), ("k = -5 + 8.62e", "k = −5 + 8.62·e"), ("F = k\\text{x}", "F = k·x")]);
+    are_read(&[("\\text{dU} = Q - p\\text{dV}", "dU = Q − p·dV"), ("a = n\\,\\text{do}", "a = n ¦ do")]);
 }
 
 #[test]
