@@ -9,7 +9,9 @@
 //! | a place that a product with the time is taken from, `x' = x - vt`; a bold letter with a prime and an index | all |
 //! | an energy that is its unprimed one and more, `U' = U + ma x` | these |
 //! | two of them, beside a sine and a cosine: a rotation | all |
-//! | ℓ, l; a bold letter; under a bar, as the mean of a fluctuation | these |
+//! | dots on a name with a prime, `\ddot y'`: the dots are the derivatives | all |
+//! | two of them in one product, which stands without primes too: `I\omega = I'\omega'` | all |
+//! | ℓ, l, ω; a bold letter; under a bar, as the mean of a fluctuation | these |
 //! | L, H and calligraphic letters; λ, ν; a velocity, a momentum or an energy with a number below, at least two | these |
 //!
 //! Two primes anywhere are derivatives, and then nothing is inferred.
@@ -36,7 +38,15 @@ pub(super) fn letters(items: &[Item]) -> Vec<Name> {
     }
     let unprimed = |name: &Name| Name { primes: 0, ..name.clone() };
     let is_rotation = found.primed.len() > 1 && found.has_sine && found.has_cosine;
-    if found.has_time || found.has_index || found.has_lorentz || found.has_frame || is_rotation {
+    let is_twofold = found.has_twofold_product();
+    if found.has_time
+        || found.has_index
+        || found.has_lorentz
+        || found.has_frame
+        || found.has_rate
+        || is_rotation
+        || is_twofold
+    {
         return found.primed.iter().map(unprimed).collect();
     }
     let of_particles: Vec<&Name> = found.primed.iter().filter(|name| is_of_a_particle(name)).collect();
@@ -60,7 +70,7 @@ fn is_of_a_particle(name: &Name) -> bool {
 
 /// A quantity that nobody differentiates with a prime.
 fn is_usual(name: &Name) -> bool {
-    ["L", "H", "\\lambda", "\\nu", "\\ell", "l"].contains(&name.base.as_str())
+    ["L", "H", "\\lambda", "\\nu", "\\omega", "\\ell", "l"].contains(&name.base.as_str())
         || ["\\mathcal{", "\\mathbf{k", "\\mathbf{q", "\\mathbf{p"].iter().any(|style| name.base.starts_with(style))
 }
 
@@ -79,9 +89,28 @@ struct Found {
     averaged: Vec<Name>,
     has_sine: bool,
     has_cosine: bool,
+    /// Whether dots stand on a name with a prime.
+    has_rate: bool,
+    /// The names in each term of a statement, with their primes.
+    terms: Vec<Vec<Name>>,
 }
 
 impl Found {
+    /// Whether a term has two names with a prime which stand without it too, and no term has both kinds: derivatives stand beside what
+    /// they are taken of, as in (uv)′ = u′v + uv′.
+    fn has_twofold_product(&self) -> bool {
+        let is_known = |name: &Name| {
+            let plain = Name { primes: 0, ..name.clone() };
+            self.terms.iter().any(|term| term.contains(&plain))
+        };
+        let plain: Vec<Name> = self.primed.iter().map(|name| Name { primes: 0, ..name.clone() }).collect();
+        let primes = |term: &[Name]| term.iter().filter(|name| name.primes == 1).count();
+        let is_mixed = |term: &[Name]| primes(term) > 0 && term.iter().any(|name| plain.contains(name));
+        self.terms.iter().any(|term| primes(term) > 1)
+            && self.primed.iter().all(is_known)
+            && !self.terms.iter().any(|term| is_mixed(term))
+    }
+
     fn list(&mut self, items: &[Item]) {
         self.statements(items);
         for (at, item) in items.iter().enumerate() {
@@ -97,13 +126,18 @@ impl Found {
         let is_blank = |item: &&Item| !matches!(item.layout, Layout::Space(_) | Layout::Align | Layout::Other('.'));
         for statement in items.split(ends) {
             let solid: Vec<&Item> = statement.iter().filter(is_blank).collect();
+            let is_sign = |item: &&Item| matches!(item.layout, Layout::Other('+' | '-')) || relation(item).is_some();
+            self.terms.extend(solid.split(is_sign).map(names_of));
             let [first, equal, right @ ..] = solid.as_slice() else { continue };
             let Some(Printed { name, dots: 0, sup: None }) = names::printed(first, None) else { continue };
+            // `\vec p = \vec p' + M\vec V`: a vector is seen from another frame.
+            let other = Name { primes: 1, ..name.clone() };
+            let is_seen = |term: &[&Item]| matches!(term, [only] if names::printed(only, None).is_some_and(|found| found.name == other));
+            self.has_frame |= is_vector(&name) && name.primes == 0 && right.split(is_sign).any(is_seen);
             if name.primes != 1 || relation(equal).is_none() {
                 continue;
             }
             let plain = Name { primes: 0, ..name.clone() };
-            let is_sign = |item: &&Item| matches!(item.layout, Layout::Other('+' | '-'));
             let terms: Vec<&[&Item]> = right.split(is_sign).collect();
             let named =
                 |item: &Item| names::printed(item, None).filter(|found| found.sup.is_none()).map(|found| found.name);
@@ -136,11 +170,11 @@ impl Found {
             self.has_lorentz |= name.base == "\\gamma"
                 && matches!(next, Some(Item { layout: Layout::Fence(Delimiter::Round | Delimiter::Square, inside), .. })
                     if is_sum(inside));
-            let is_vector = ["\\mathbf{", "\\vec{", "\\hat{"].iter().any(|mark| name.base.starts_with(mark));
-            self.has_frame |= is_vector && name.primes == 1 && name.subscript.len() == 1;
+            self.has_frame |= is_vector(&name) && name.primes == 1 && name.subscript.len() == 1;
             self.has_frame |= name.base == "\\Lambda" && next.is_some_and(|next| names::printed(next, None).is_some());
             self.has_second |= name.primes > 1;
             if name.primes == 1 {
+                self.has_rate |= printed.dots > 0;
                 self.has_time |= ["t", "\\Delta t"].contains(&name.base.as_str());
                 self.has_index |= printed.sup.is_some_and(is_greek);
                 if !self.primed.contains(&name) {
@@ -192,4 +226,22 @@ impl Found {
 fn is_greek(sup: &Item) -> bool {
     matches!(crate::latex::layout::contents(sup),
         [Item { layout: Layout::Command(name), .. }] if name == "\\mu" || name == "\\nu")
+}
+
+fn is_vector(name: &Name) -> bool {
+    ["\\mathbf{", "\\vec{", "\\hat{"].iter().any(|mark| name.base.starts_with(mark))
+}
+
+/// The names in a term, those in its fractions, functions and roots too.
+fn names_of(term: &[&Item]) -> Vec<Name> {
+    let of = |item: &&Item| -> Vec<Name> {
+        match names::printed(item, None) {
+            Some(found) => vec![found.name],
+            None => {
+                let inside = crate::latex::layout::parts(item).into_iter();
+                inside.flat_map(|part| names_of(&part.iter().collect::<Vec<&Item>>())).collect()
+            }
+        }
+    };
+    term.iter().flat_map(of).collect()
 }

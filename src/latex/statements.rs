@@ -20,7 +20,7 @@ use super::pieces::{Piece, Printed, pieces, without_ranges};
 use super::reader::Reader;
 use super::reader::algebra::evidence;
 use super::reader::structure::{fault_in, note_levels, note_possible_indices};
-use super::reader::undeclared::{note_marks, unclear_derivative, unclear_name, uses, vectors};
+use super::reader::undeclared::{note_marks, unclear, unclear_name, uses, vectors};
 
 /// The result of reading a display.
 #[derive(Clone, Debug, Default)]
@@ -66,9 +66,9 @@ fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
     if symbols.open {
         symbols.inferred.active = true;
         infer(&items, symbols);
-        let unclear = unclear_name(&items).or_else(|| uses::of(&items).unclear());
-        let unclear = unclear.or_else(|| vectors::unclear_product(&items)).or_else(|| unclear_derivative(&items));
-        if let Some(fault) = unclear {
+        let fault = unclear_name(&items).or_else(|| uses::of(&items).unclear());
+        let fault = fault.or_else(|| vectors::unclear_product(&items)).or_else(|| unclear(&items));
+        if let Some(fault) = fault {
             reading.statements.push(Err(fault));
             return reading;
         }
@@ -102,19 +102,26 @@ fn read_once(text: &str, symbols: &mut Symbols, macros: &Macros) -> Reading {
     // A name may be used before the display says what it is: `= \frac{1}{M} …, \quad M = …`.
     for _ in 0..ROUNDS {
         let known = symbols.len();
-        pending.retain(|(at, (piece, branch))| match piece.read(symbols, *branch) {
-            Ok((statement, news)) => {
-                for (member, new) in news {
-                    if let Some((symbol, formula)) = new.add(symbols) {
-                        reading.introduced.push(DefinedSymbol { symbol, statement: *at, member, formula });
+        pending.retain(|(at, (piece, branch))| {
+            // What cannot be read leaves no names behind, which would be known when it is read again.
+            let before = symbols.open.then(|| symbols.clone());
+            match piece.read(symbols, *branch) {
+                Ok((statement, news)) => {
+                    for (member, new) in news {
+                        if let Some((symbol, formula)) = new.add(symbols) {
+                            reading.introduced.push(DefinedSymbol { symbol, statement: *at, member, formula });
+                        }
                     }
+                    results[*at] = Some(Ok(statement));
+                    false
                 }
-                results[*at] = Some(Ok(statement));
-                false
-            }
-            Err(fault) => {
-                results[*at] = Some(Err(fault));
-                true
+                Err(fault) => {
+                    if let Some(before) = before {
+                        *symbols = before;
+                    }
+                    results[*at] = Some(Err(fault));
+                    true
+                }
             }
         });
         if pending.is_empty() || symbols.len() == known {

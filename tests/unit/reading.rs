@@ -7,6 +7,8 @@ mod algebra;
 mod alternatives;
 #[path = "reading/apart.rs"]
 mod apart;
+#[path = "reading/courses.rs"]
+mod courses;
 #[path = "reading/derivatives.rs"]
 mod derivatives;
 #[path = "reading/derived.rs"]

@@ -45,6 +45,12 @@ pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
             at += 1;
             continue;
         }
+        // `\mathbb{SE}(3)` is the group that others write upright.
+        if is(Some(token), "\\mathbb") && is_word_in_braces(&tokens[at + 1..]) {
+            found.push(Token { kind: TokenKind::Command("\\mathrm".to_owned()), span });
+            at += 1;
+            continue;
+        }
         // `\boldsymbol{\cdot}`
         if let [style, open, sign, close, ..] = &tokens[at..]
             && is(Some(style), "\\mathbf")
@@ -113,6 +119,13 @@ pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
         at += 1;
     }
     found
+}
+
+/// Whether at least two capitals stand alone in braces.
+fn is_word_in_braces(tokens: &[Token]) -> bool {
+    let [open, rest @ ..] = tokens else { return false };
+    let letters = rest.iter().take_while(|token| matches!(token.kind, TokenKind::Letter('A'..='Z'))).count();
+    open.kind == TokenKind::Open && letters > 1 && rest.get(letters).is_some_and(|token| token.kind == TokenKind::Close)
 }
 
 /// Whether a bracket of a state is the next delimiter that closes, and no bar.

@@ -337,7 +337,8 @@ impl<'a> Parser<'a> {
                 {
                     self.next();
                 }
-                let mut inner = self.argument(span);
+                // `\mathrm{~d} x`: the space stands before the word.
+                let mut inner = trimmed(self.argument(span));
                 // `\operatorname{arg\,min}`
                 if let Layout::Group(items) = &mut inner.layout
                     && ["arg min", "arg max"].contains(&letters_and_spaces(items).as_str())
@@ -409,7 +410,7 @@ impl<'a> Parser<'a> {
     fn text(&mut self, span: Span) -> Item {
         let argument = self.argument(span);
         // `\textrm{d}x`: an upright d before a letter is that of a differential.
-        let is_d = matches!(&argument.layout, Layout::Group(items) if matches!(items.as_slice(), [Item { layout: Layout::Letter('d'), .. }]));
+        let is_d = matches!(super::item::contents(&argument), [Item { layout: Layout::Letter('d'), .. }]);
         // `{\mbox{d}}^2 r` too.
         let is_before_letter = self.peek().is_some_and(|next| {
             matches!(next.kind, TokenKind::Letter(_) | TokenKind::Command(_) | TokenKind::Close | TokenKind::Super)

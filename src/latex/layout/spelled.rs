@@ -202,11 +202,17 @@ fn begins_argument(token: &Token) -> bool {
 
 /// Names of several letters that are products nowhere: energies, errors, heating values. `F = Ma`, `\tau = Fr` and `BIL = mg` are
 /// products.
-const NAMES: [&str; 47] = [
-    "KE", "PE", "GPE", "EPE", "COP", "NTU", "SNR", "RMS", "EMF", "MSE", "RMSE", "LHV", "HHV", "LCV", "HCV", "ESS",
-    "GBW", "GBP", "BER", "RPM", "PSF", "MTF", "OTF", "BMI", "FOM", "SPL", "PSD", "PRF", "SAR", "VSWR", "MTBF", "LCOE",
-    "RCS", "THD", "SINR", "SFDR", "FWHM", "EIRP", "ENBW", "DOF", "ITAE", "IAE", "ISE", "MAE", "OPD", "IMA", "NPSH",
+const NAMES: [&str; 56] = [
+    "SWR", "API", "FSR", "TOF", "CFL", "LMTD", "CMRR", "PSRR", "SED", "KE", "PE", "GPE", "EPE", "COP", "NTU", "SNR",
+    "RMS", "EMF", "MSE", "RMSE", "LHV", "HHV", "LCV", "HCV", "ESS", "GBW", "GBP", "BER", "RPM", "PSF", "MTF", "OTF",
+    "BMI", "FOM", "SPL", "PSD", "PRF", "SAR", "VSWR", "MTBF", "LCOE", "RCS", "THD", "SINR", "SFDR", "FWHM", "EIRP",
+    "ENBW", "DOF", "ITAE", "IAE", "ISE", "MAE", "OPD", "IMA", "NPSH",
 ];
+
+/// Whether letters are such a name.
+pub fn is_name_of_letters(word: &str) -> bool {
+    NAMES.contains(&word)
+}
 
 /// Numbers without a unit, which are names where one of them is a whole left side: `Re = \rho v D/\mu`.
 const NUMBERS: [&str; 9] = ["Re", "Nu", "NA", "QE", "RH", "AR", "MA", "TE", "VR"];
@@ -218,6 +224,7 @@ pub(super) fn with_names(tokens: Vec<Token>) -> Vec<Token> {
         spots.iter().any(|(at, name)| NUMBERS.contains(&name.as_str()) && is_left_side(&tokens, *at, name.len()));
     let is_sure = |at: usize, name: &String| {
         name == "Re" && is_no_real_part(&tokens, at)
+            || is_of_a_flow(&tokens, at, name)
             || match NUMBERS.contains(&name.as_str()) {
                 true => has_number,
                 false => spots.iter().any(|(at, other)| other == name && is_term(&tokens, *at, name.len())),
@@ -251,6 +258,16 @@ fn name_at(tokens: &[Token], at: usize) -> Option<String> {
     let length = if is_inside { 0 } else { run(&tokens[at..]) };
     let word: String = tokens[at..at + length].iter().filter_map(letter).collect();
     (NAMES.contains(&word.as_str()) || NUMBERS.contains(&word.as_str())).then_some(word)
+}
+
+/// Whether a number of a flow has the length or the place below it for which it holds: `Re_D`, `Nu_L`, `Re_x`.
+fn is_of_a_flow(tokens: &[Token], at: usize, name: &str) -> bool {
+    let [sub, below, ..] = &tokens[at + name.len()..] else { return false };
+    let length = |token: &Token| letter(token).is_some_and(|c| "DLdhHx".contains(c));
+    let is_braced = || tokens.get(at + name.len() + 2).is_some_and(length);
+    NUMBERS[..2].contains(&name)
+        && sub.kind == TokenKind::Sub
+        && (length(below) || below.kind == TokenKind::Open && is_braced())
 }
 
 /// Whether what follows "Re" is no complex number of which it is the real part. Nobody multiplies R by Euler's number.

@@ -10,6 +10,7 @@ mod alternatives;
 mod asides;
 mod conditions;
 mod continuation;
+mod numbers;
 mod piece;
 mod premises;
 mod ranges;

@@ -1,7 +1,8 @@
 //! The condition before an arrow: `x > 0 \Rightarrow |x| = x` says nothing about x, but what holds where x > 0.
 //!
 //! So does `\text{if } x = 0 \text{ then } y = 0`. In a derivation what stands before the arrow holds too. It is a condition where it is a comparison
-//! or says of what set something is and what follows is no comparison, or where "for all" stands after what follows.
+//! or says of what set something is and what follows is no comparison, or where "for all" stands after what follows. It is one too
+//! where "for all" stands before it: `\forall x \in A,\; f(x) = 0`.
 
 use crate::formula::tree::Relation;
 
@@ -20,6 +21,9 @@ pub(super) fn divided<'a>(items: &[&'a Item]) -> (Vec<&'a Item>, Vec<&'a Item>) 
         && let Some(then) = items.iter().position(|item| is(item, "then"))
     {
         return (items[first..then].to_vec(), items[then + 1..].to_vec());
+    }
+    if let Some(found) = for_all(items) {
+        return found;
     }
     let is_arrow = |item: &&Item| matches!(&item.layout, Layout::Command(name) if name == "\\Rightarrow");
     let whole = || (Vec::new(), items.to_vec());
@@ -53,4 +57,18 @@ pub(super) fn divided<'a>(items: &[&'a Item]) -> (Vec<&'a Item>, Vec<&'a Item>) 
         true => (before.to_vec(), after.to_vec()),
         false => whole(),
     }
+}
+
+/// What stands between a ∀ at the beginning and the statement that holds for all of it. The parts before the statement are those
+/// without a relation, `\forall x, y \in A,\; f(x, y) = 0`.
+fn for_all<'a>(items: &[&'a Item]) -> Option<(Vec<&'a Item>, Vec<&'a Item>)> {
+    let first = items.iter().position(|item| is_significant(&item))?;
+    let is_quantor = matches!(&items[first].layout, Layout::Command(name) if name == "\\forall");
+    let ends = |item: &Item| separates(item) || item.layout == Layout::Other(':');
+    let states = |from: usize| {
+        let part = items[from..].iter().take_while(|item| !ends(item));
+        part.filter_map(|item| relation(item)).next().is_some()
+    };
+    let end = (first + 1..items.len()).find(|at| ends(items[*at]) && states(at + 1)).filter(|_| is_quantor)?;
+    Some((items[first..end].to_vec(), items[end + 1..].to_vec()))
 }

@@ -3,6 +3,7 @@
 use super::super::layout::{Delimiter, Item, Layout, contents, latex};
 use super::super::lexer::Space;
 use super::super::reader::structure::is_prose;
+use super::super::reader::words::is_power_in_a_program;
 use super::super::rows::{is_operator, is_significant, relation};
 use super::conditions::begins_condition;
 use super::separators::{says_constant, separates};
@@ -26,6 +27,11 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
                 _ => false,
             };
         return is_apart && (is_note || inside.iter().any(is_phrase));
+    }
+    // `\theta_r = \theta_i \quad [\text{law of reflection}]`; beside a factor `[\text{NaCl}]` is a concentration.
+    if let Layout::Fence(Delimiter::Square, inside) = &items[at].layout {
+        let is_apart = at > 0 && items[at - 1].layout == Layout::Space(Space::Wide);
+        return is_apart && is_aside(items, at) && matches!(inside.as_slice(), [Item { layout: Layout::Text(_), .. }]);
     }
     let word = match &items[at].layout {
         _ if separates(items[at]) => return false,
@@ -63,6 +69,13 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
     let is_beside = at > 0 && items[at - 1].layout != Layout::Space(Space::Wide);
     let before = items[..at].iter().rev().find(is_significant);
     let is_formula = before.is_some_and(|item| !is_operator(item) && relation(item).is_none() && !separates(item));
+    // `k\text{x}`, `p\,\text{dV}` and `8.62\text{e-5}` are parts of the formula.
+    let is_letter = word.chars().count() == 1 && word.chars().all(char::is_alphabetic);
+    let is_differential = word.len() == 2 && word.starts_with('d') && word != "do" && word.is_ascii();
+    let is_power = number && is_power_in_a_program(&word);
+    if is_beside && is_formula && (is_letter || is_differential || is_power) {
+        return false;
+    }
     if is_beside && (number && (names_a_unit(&word) || is_rate_of_units(&word)) || is_formula && is_unit(&word)) {
         return false;
     }
@@ -120,10 +133,13 @@ pub(super) fn is_aside(items: &[&Item], at: usize) -> bool {
         Layout::Fence(..) => is_last,
         // `\text{ by hypothesis}`, `\text{using the chain rule}`; spaces are left out of a text.
         Layout::Text(word) => {
-            is_last
-                && ["by", "using", "from", "since"]
-                    .iter()
-                    .any(|first| word.len() > first.len() + 3 && word.starts_with(first))
+            // `q = h A \Delta T \quad \text{W}` names the unit of the result.
+            let is_apart = items[at - 1].layout == Layout::Space(Space::Wide);
+            is_last && is_apart && is_unit(word)
+                || is_last
+                    && ["by", "using", "from", "since"]
+                        .iter()
+                        .any(|first| word.len() > first.len() + 3 && word.starts_with(first))
         }
         _ => false,
     }
@@ -140,7 +156,16 @@ fn is_figure(item: &Item) -> bool {
 
 /// Whether a word is the name of a unit: `Dynes`, `turns`.
 fn names_a_unit(word: &str) -> bool {
-    const NAMES: [&str; 51] = [
+    const NAMES: [&str; 60] = [
+        "db",
+        "dba",
+        "dbm",
+        "dbi",
+        "dbc",
+        "dbv",
+        "dbu",
+        "dbfs",
+        "np",
         "ft",
         "feet",
         "lb",
@@ -201,7 +226,7 @@ fn names_a_unit(word: &str) -> bool {
 
 /// Whether a word is a quotient of short words, of which the first may be a unit: `J/bit`, `counts/s`.
 fn is_rate_of_units(word: &str) -> bool {
-    const LONGEST: usize = 7;
+    const LONGEST: usize = 10;
     let is_word = |part: &str| (1..=LONGEST).contains(&part.len()) && part.chars().all(char::is_alphabetic);
     let parts: Vec<&str> = word.trim_end_matches(['.', ',', ';']).split('/').collect();
     parts.len() == 2 && parts.iter().all(|part| is_word(part) && !is_prose(part))
@@ -209,11 +234,11 @@ fn is_rate_of_units(word: &str) -> bool {
 
 /// Whether a word after a number is a unit, and no remark: `m/s`, `eV`, `days`.
 fn is_unit(word: &str) -> bool {
-    const UNITS: [&str; 59] = [
-        "m", "cm", "mm", "km", "nm", "fm", "pm", "s", "ms", "ns", "min", "h", "kg", "g", "mg", "N", "kN", "J", "kJ",
-        "MJ", "W", "kW", "MW", "eV", "keV", "MeV", "GeV", "TeV", "K", "Pa", "kPa", "MPa", "bar", "atm", "Hz", "kHz",
-        "MHz", "GHz", "V", "kV", "A", "mA", "T", "C", "mol", "rad", "sr", "deg", "days", "day", "years", "year", "yr",
-        "hours", "seconds", "rpm", "RPM", "Nm", "Js",
+    const UNITS: [&str; 64] = [
+        "dB", "dBA", "dBm", "dBi", "dBc", "m", "cm", "mm", "km", "nm", "fm", "pm", "s", "ms", "ns", "min", "h", "kg",
+        "g", "mg", "N", "kN", "J", "kJ", "MJ", "W", "kW", "MW", "eV", "keV", "MeV", "GeV", "TeV", "K", "Pa", "kPa",
+        "MPa", "bar", "atm", "Hz", "kHz", "MHz", "GHz", "V", "kV", "A", "mA", "T", "C", "mol", "rad", "sr", "deg",
+        "days", "day", "years", "year", "yr", "hours", "seconds", "rpm", "RPM", "Nm", "Js",
     ];
     let word = word.trim_end_matches(['.', ',', ';']);
     let is_one = |part: &str| {

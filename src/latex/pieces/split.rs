@@ -4,13 +4,16 @@ use crate::formula::tree::Relation;
 use crate::formula::units::Unit;
 use crate::source::Fault;
 
-use super::super::layout::{Delimiter, Item, Layout};
+use super::super::layout::{Item, Layout};
 use super::super::lexer::Space;
 use super::super::rows::{Row, is_operator, is_sign, is_significant, relation};
 use super::alternatives::{alternatives, are_open};
 use super::asides;
 use super::conditions::{begins_condition, ends_condition, is_comparison, is_pause};
 use super::continuation::{continues, unclear_continuation};
+use super::numbers::{
+    ends_the_row, is_equation_number, is_number_before_a_row, is_number_of_the_row, length_before_a_row,
+};
 use super::piece::{Link, Piece};
 use super::premises;
 use super::remarks::{self, is_aside, is_remark};
@@ -25,7 +28,7 @@ pub(super) fn split<'a>(row: Row<'a>, number: usize, pieces: &mut Vec<Piece<'a>>
     let (premise, items) = if current.is_none() { premises::divided(&items) } else { (Vec::new(), items) };
     let first = pieces.len();
     let splitter = Splitter {
-        at: remarks::name_of_the_row(&items),
+        at: length_before_a_row(&items).max(remarks::name_of_the_row(&items)),
         items: &items,
         number,
         is_abstract,
@@ -425,56 +428,6 @@ fn one_of_several<'a>(items: &[&'a Item], row: usize, is_abstract: bool, before:
         piece.fault = Some(fault(piece.span()));
     }
     piece
-}
-
-/// Whether nothing but a point or spaces follows.
-fn ends_the_row(items: &[&Item], at: usize) -> bool {
-    items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_) | Layout::Other('.' | ',')))
-}
-
-/// Whether an item is the number of an equation in parentheses: `(7-47)`, `(2.3)`, `(A-1)`, `(1a)`, `[12]`, `\text{(Eq. 4)}`.
-fn is_equation_number(item: &Item) -> bool {
-    // A text has lost its parentheses.
-    if let Layout::Text(word) = &item.layout {
-        let number = ["Equation", "Eqn.", "Eq.", "eq.", "Gl."].iter().find_map(|name| word.strip_prefix(name));
-        let number = number.unwrap_or(word);
-        let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '–' | 'a' | 'b' | 'c');
-        let is_number = number.starts_with(|c: char| c.is_ascii_digit()) && number.chars().all(is_part);
-        return is_number || !word.is_empty() && word.chars().all(|c| matches!(c, 'i' | 'v' | 'x'));
-    }
-    let Layout::Fence(Delimiter::Round | Delimiter::Square, inside) = &item.layout else { return false };
-    // `(\text{Eq. 4.2})`
-    if let [Item { layout: Layout::Text(word), .. }] = inside.as_slice() {
-        return word.contains(|c: char| c.is_ascii_digit());
-    }
-    let has_number = inside.iter().any(|item| matches!(item.layout, Layout::Number(_)));
-    let is_number = |at: usize| matches!(inside[at].layout, Layout::Number(_));
-    // The letter of `(1a)` touches its number; `(1 - x)` is no number of an equation.
-    let is_part = |(at, item): (usize, &Item)| match &item.layout {
-        Layout::Number(_) => true,
-        Layout::Other('-' | '–' | '.') => at > 0 && at + 1 < inside.len(),
-        Layout::Letter(letter) if at == 0 => letter.is_ascii_uppercase(),
-        Layout::Letter(_) => at + 1 == inside.len() && is_number(at - 1),
-        _ => false,
-    };
-    has_number && inside.iter().enumerate().all(is_part)
-}
-
-/// Whether the item is a whole number in parentheses at the end of the row, after a space: `F = ma \quad (2)`.
-fn is_number_of_the_row(items: &[&Item], at: usize) -> bool {
-    let Layout::Fence(Delimiter::Round, inside) = &items[at].layout else { return false };
-    let is_number = matches!(inside.as_slice(), [Item { layout: Layout::Number(_), .. }]);
-    let after_space = at > 0 && matches!(items[at - 1].layout, Layout::Space(_));
-    is_number && after_space && ends_the_row(items, at)
-}
-
-/// Whether the item is a whole number in parentheses before a system: `(1) \begin{cases} …`.
-fn is_number_before_a_row(items: &[&Item], at: usize) -> bool {
-    let Layout::Fence(Delimiter::Round, inside) = &items[at].layout else { return false };
-    let is_number = matches!(inside.as_slice(), [Item { layout: Layout::Number(_), .. }]);
-    let next = items[at + 1..].iter().find(|next| !matches!(next.layout, Layout::Space(_)));
-    let is_system = |next: &&&Item| matches!(&next.layout, Layout::Environment(name, _) if name.contains("cases"));
-    is_number && at == 0 && next.is_some_and(|next| is_system(&next))
 }
 
 /// Whether an item is a simple arrow.

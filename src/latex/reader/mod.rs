@@ -73,7 +73,7 @@ mod terms;
 pub(super) mod undeclared;
 mod values;
 mod vector_names;
-mod words;
+pub(super) mod words;
 
 use crate::formula::shape;
 use crate::formula::symbols::Symbols;

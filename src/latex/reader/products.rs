@@ -121,6 +121,9 @@ impl Reader<'_> {
                 self.is_a_clear_factor(items, cursor)?;
             }
             if let Some(found) = joint(item) {
+                if factors.after_slash.is_some() && slashes::is_before_a_power_of_ten(items, cursor) {
+                    return Err(slashes::by_a_power_of_ten(item.span));
+                }
                 factors.join(found, items, cursor)?;
                 cursor += 1;
                 continue;

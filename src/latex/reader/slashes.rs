@@ -42,6 +42,27 @@ pub(super) fn is_over_turns(items: &[Item], at: usize) -> bool {
         && items[at + 1..].iter().all(|item| is_space(&item))
 }
 
+/// Whether the sign at a place stands between a number and a power of ten, `2.8\times10^{-32}/1.05\times10^{-34}`, where that number has
+/// decimals or the numerator has such a power too.
+pub(super) fn is_before_a_power_of_ten(items: &[Item], at: usize) -> bool {
+    let is_space = |item: &&Item| matches!(item.layout, Layout::Space(_));
+    let is_power = |item: &Item| {
+        matches!(&item.layout, Layout::Scripts { nucleus, sub: None, sup: Some(_), .. }
+            if nucleus.layout == Layout::Number("10".to_owned()))
+    };
+    let before = items[..at].iter().rev().find(|item| !is_space(item));
+    let after = items[at + 1..].iter().find(|item| !is_space(item));
+    let has_decimals =
+        before.is_some_and(|item| matches!(&item.layout, Layout::Number(digits) if digits.contains('.')));
+    let is_number = before.is_some_and(|item| matches!(item.layout, Layout::Number(_)));
+    after.is_some_and(is_power) && (has_decimals || is_number && items[..at].iter().any(is_power))
+}
+
+pub(super) fn by_a_power_of_ten(span: Span) -> Fault {
+    Fault::ambiguous(span, "a slash before a number with a power of ten may divide by both or by the number alone")
+        .help("write \\frac{a}{b \\times 10^n}, or put the number and its power in parentheses")
+}
+
 /// `d/dt (m v)`: a derivative on one line.
 fn derivative(items: &[Item], span: Span, (slash, next, end): (usize, usize, usize)) -> Option<Fault> {
     let variable = items.get(next)?;

@@ -153,6 +153,10 @@ impl Reader<'_> {
             return Err(unclear(span, sup, "the number of a step or a power")
                 .help("write the number of the step as a subscript, u_n; write a power as (u)^n"));
         }
+        if (self.symbols.open || self.symbols.guessed) && is_next_to(self.name_of(base).1, &marks) {
+            return Err(unclear(span, sup, "the frame or the step beside the one below, or a power")
+                .help("write both as a subscript, as in T_{i-1,i}; write a power as \\exp((i-1)\\ln T_i)"));
+        }
         match marks.as_slice() {
             [Item { layout: Layout::Command(name), .. }]
                 if [
@@ -416,5 +420,18 @@ fn letter(item: &Item) -> Option<String> {
         Layout::Letter(c) => Some(c.to_string()),
         Layout::Command(name) if names::is_letter(name) => Some(name.clone()),
         _ => None,
+    }
+}
+
+/// Whether what stands above is the letter below and a 1, `T_i^{i-1}`.
+fn is_next_to(below: &[String], above: &[&Item]) -> bool {
+    let [letter] = below else { return false };
+    match above {
+        [first, sign, one] => {
+            matches!(sign.layout, Layout::Other('+' | '-'))
+                && whole_number(one) == Some(1)
+                && names::printed(first, None).is_some_and(|found| found.sup.is_none() && found.name.base == *letter)
+        }
+        _ => false,
     }
 }

@@ -13,7 +13,7 @@ use super::items::{
 };
 use super::state::{Read, Reader};
 use super::undeclared::follows_a_sum;
-use super::words::{are_no_words, run_of_letters};
+use super::words::{are_no_words, is_power_in_a_program, run_of_letters};
 
 impl Reader<'_> {
     /// A sum of terms with signs; all of `items`. `end` is the place of a fault if there are no items.
@@ -25,6 +25,7 @@ impl Reader<'_> {
             is_no_spelled_unit(items)?;
         }
         if self.symbols.open {
+            is_no_computer_notation(items)?;
             is_no_error_of_measurement(items)?;
             is_no_range(items)?;
         }
@@ -278,14 +279,43 @@ fn is_no_error_of_measurement(items: &[Item]) -> Read<()> {
     }
 }
 
+/// Rejects `8.62e-5`: a power of ten as in a program, or a difference.
+fn is_no_computer_notation(items: &[Item]) -> Read<()> {
+    let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
+    let is_number = |item: &Item| matches!(item.layout, Layout::Number(_));
+    let is_e = |item: &Item| matches!(item.layout, Layout::Letter('e' | 'E'));
+    let is_sign = |item: &Item| match &item.layout {
+        Layout::Other('+' | '-') => true,
+        Layout::Text(word) => ["-", "+", "−"].contains(&word.as_str()),
+        _ => false,
+    };
+    // `8.62\text{e-5}`
+    let is_power = |item: &Item| matches!(&item.layout, Layout::Text(word) if is_power_in_a_program(word));
+    let found = solid
+        .windows(4)
+        .find(|four| is_number(four[0]) && is_e(four[1]) && is_sign(four[2]) && is_number(four[3]))
+        .or_else(|| solid.windows(2).find(|two| is_number(two[0]) && is_power(two[1])));
+    match found {
+        Some(found) => Err(Fault::ambiguous(
+            found[0].span.to(found[found.len() - 1].span),
+            "e after a number may begin a power of ten, or be a quantity",
+        )
+        .help("write 8 \\times 10^{-5} for the power of ten, or -5 + 8e for the difference")),
+        None => Ok(()),
+    }
+}
+
 /// Rejects `9.8 m/s^2`, `1000 kg/m^3`: letters of units after a number are no quantities as a rule.
 fn is_no_spelled_unit(items: &[Item]) -> Read<()> {
-    const UNITS: [&str; 32] = [
-        "m", "s", "kg", "K", "N", "J", "W", "V", "A", "C", "T", "Pa", "Hz", "nm", "cm", "mm", "km", "eV", "keV", "MeV",
-        "GeV", "kPa", "MPa", "kJ", "kW", "ms", "mol", "rad", "GHz", "MHz", "kHz", "mA",
+    const UNITS: [&str; 46] = [
+        "atm", "bar", "mV", "kV", "kN", "mW", "MW", "kWh", "nF", "pF", "mH", "mT", "ns", "dB", "m", "s", "kg", "K",
+        "N", "J", "W", "V", "A", "C", "T", "Pa", "Hz", "nm", "cm", "mm", "km", "eV", "keV", "MeV", "GeV", "kPa", "MPa",
+        "kJ", "kW", "ms", "mol", "rad", "GHz", "MHz", "kHz", "mA",
     ];
     /// What is hardly ever a product after a small number either.
-    const SURE: [&str; 5] = ["kg", "Hz", "Pa", "eV", "mol"];
+    const SURE: [&str; 9] = ["kg", "Hz", "Pa", "eV", "mol", "mm", "kWh", "atm", "bar"];
+    /// What is a unit below another one: `20 km/h`.
+    const BELOW: [&str; 3] = ["h", "L", "min"];
     let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
     let Some(start) = items.iter().position(|item| !is_space(item)) else { return Ok(()) };
     let Layout::Number(digits) = &items[start].layout else { return Ok(()) };
@@ -299,17 +329,33 @@ fn is_no_spelled_unit(items: &[Item]) -> Read<()> {
     if items[start..at].iter().rfind(|item| !is_space(item)).is_some_and(|last| joint(last).is_some()) {
         return Ok(());
     }
-    let is_large = digits.contains('.') || digits.len() > 1;
+    // `3\times10^8 m/s`: a power of ten stands before a unit more often than before a letter.
+    let has_power = items[start..at].iter().any(is_power);
+    let is_large = digits.contains('.') || digits.len() > 1 || has_power;
+    // `26 \Omega`, `4\,\Omega`, `10 k\Omega`: a resistance, or a frequency that a small number is a factor of.
+    let prefix = usize::from(matches!(items.get(at).map(|item| &item.layout), Some(Layout::Letter('k' | 'M' | 'm'))));
+    let is_apart = at > 0 && is_space(&items[at - 1]);
+    if let Some(omega) = items.get(at + prefix)
+        && omega.layout == Layout::Command("\\Omega".to_owned())
+        && (is_large || is_apart)
+        && items[at + prefix + 1..].iter().all(is_space)
+    {
+        return Err(Fault::ambiguous(omega.span, "Ω after a number may be the unit ohm or a quantity")
+            .help("write \\text{Ω} for the unit, and \\cdot before a quantity"));
+    }
     let mut found: Option<(String, Span)> = None;
     let mut is_sure = is_large;
     // Whether a unit may stand here: `0.5 C V^2` is a product.
     let mut goes_on = true;
     while at < items.len() {
         match run_of_letters(items, at) {
-            Some((word, span, length)) if UNITS.contains(&word.as_str()) => {
+            Some((word, span, length))
+                if UNITS.contains(&word.as_str()) || found.is_some() && goes_on && BELOW.contains(&word.as_str()) =>
+            {
                 let has_index = matches!(&items[at + length - 1].layout, Layout::Scripts { sub, primes, .. } if sub.is_some() || *primes > 0);
                 let is_product = found.as_ref().is_some_and(|(first, _)| ["kg", "N", "J"].contains(&first.as_str()))
-                    && ["m", "s", "K"].contains(&word.as_str());
+                    && ["m", "s", "K"].contains(&word.as_str())
+                    || found.is_some() && has_negative_power(&items[at + length - 1]);
                 if has_index || !(goes_on || is_product) {
                     return Ok(());
                 }
@@ -320,6 +366,24 @@ fn is_no_spelled_unit(items: &[Item]) -> Read<()> {
             }
             None if is_space(&items[at]) => at += 1,
             None if joint(&items[at]) == Some(Joint::Slash) => (goes_on, at) = (true, at + 1),
+            // `6.6\times10^{-34} J\cdot s`
+            None if joint(&items[at]) == Some(Joint::CDot) && found.is_some() => at += 1,
+            // `9.8\frac{m}{s^2}`, `9\times10^9\frac{N m^2}{C^2}`
+            None if is_large && found.is_none() => {
+                let Layout::Fraction(above, below) = &items[at].layout else { return Ok(()) };
+                let (Some(above), Some(below)) = (words(above), words(below)) else { return Ok(()) };
+                let [(unit, span), ..] = above.as_slice() else { return Ok(()) };
+                let (unit, span) = (unit.clone(), *span);
+                let are_units = above.iter().all(|(word, _)| UNITS.contains(&word.as_str()))
+                    && below.iter().all(|(word, _)| UNITS.contains(&word.as_str()) || BELOW.contains(&word.as_str()));
+                let is_one = above.len() == 1 && below.len() == 1;
+                if !are_units || !(is_one || has_power || ["kg", "N", "J"].contains(&unit.as_str())) {
+                    return Ok(());
+                }
+                goes_on = false;
+                found = Some((unit, span));
+                at += 1;
+            }
             _ => return Ok(()),
         }
     }
@@ -330,14 +394,35 @@ fn is_no_spelled_unit(items: &[Item]) -> Read<()> {
     }
 }
 
+/// The runs of letters that are all of a numerator or denominator.
+fn words(part: &Item) -> Option<Vec<(String, Span)>> {
+    let (items, mut at, mut words) = (contents(part), 0, Vec::new());
+    while at < items.len() {
+        if matches!(items[at].layout, Layout::Space(_)) || joint(&items[at]) == Some(Joint::CDot) {
+            at += 1;
+            continue;
+        }
+        let (word, span, length) = run_of_letters(items, at)?;
+        words.push((word, span));
+        at += length;
+    }
+    Some(words)
+}
+
+/// Whether a factor has a negative power: `s^{-2}`.
+fn has_negative_power(item: &Item) -> bool {
+    matches!(&item.layout, Layout::Scripts { sub: None, sup: Some(sup), .. }
+        if matches!(contents(sup).first(), Some(Item { layout: Layout::Other('-'), .. })))
+}
+
 /// Rejects `1.1 \times 10^7\,m^{-1}`: after a number and a space the letter is that of a unit more often than a quantity.
 fn is_no_italic_unit(items: &[Item]) -> Read<()> {
     let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
     let Some((last, numbers)) = solid.split_last() else { return Ok(()) };
-    let Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } = &last.layout else { return Ok(()) };
+    let Layout::Scripts { nucleus, primes: 0, .. } = &last.layout else { return Ok(()) };
     let Layout::Letter(letter) = nucleus.layout else { return Ok(()) };
     let is_unit = "mskKJNCVATWg".contains(letter);
-    let is_negative = matches!(contents(sup).first(), Some(Item { layout: Layout::Other('-'), .. }));
+    let is_negative = has_negative_power(last);
     let is_power = |item: &Item| matches!(&item.layout, Layout::Scripts { nucleus, .. } if matches!(nucleus.layout, Layout::Number(_)));
     let is_number = |item: &Item| {
         is_numeric_item(item) || is_power(item) || matches!(item.layout, Layout::Number(_)) || joint(item).is_some()

@@ -9,7 +9,7 @@ use crate::formula::symbols::Symbols;
 use crate::formula::tree::Function;
 use crate::source::{Fault, Span};
 
-use super::super::layout::{Delimiter, Item, Layout, typed};
+use super::super::layout::{Delimiter, Item, Layout, is_name_of_letters, typed};
 use super::super::names;
 use super::items::{is_number, is_numeric, is_numeric_item};
 use super::state::{Read, Reader};
@@ -62,6 +62,8 @@ pub(super) fn are_no_words(items: &[Item], symbols: &Symbols) -> Read<()> {
                 .help("write \\operatorname{tr} for the trace, and a space \\, between the letters of a product"));
         }
         let has_index = matches!(items[at].layout, Layout::Scripts { sub: Some(_), .. });
+        // `A = USV^T`: what has a script is no letter of a word.
+        let is_plain = matches!(items[at].layout, Layout::Letter(_));
         at += 1;
         // `ad_V` is the adjoint; `ad - bc` has no index.
         if symbols.open && has_index && (word == "ad" || word == "Ad") {
@@ -72,6 +74,9 @@ pub(super) fn are_no_words(items: &[Item], symbols: &Symbols) -> Read<()> {
             ));
         }
         is_no_word(&word, span, symbols)?;
+        if symbols.open && is_plain && is_short_form(&word) {
+            return Err(name_or_product(&word, span));
+        }
     }
     Ok(())
 }
@@ -89,6 +94,13 @@ pub(super) fn run_of_letters(items: &[Item], at: usize) -> Option<(String, Span,
         last += 1;
     }
     Some((word, span, last + 1 - at))
+}
+
+/// Whether a word is the end of a number as programs write it: the `e-5` of `8.62e-5`.
+pub(in super::super) fn is_power_in_a_program(word: &str) -> bool {
+    let Some(power) = word.strip_prefix(['e', 'E']) else { return false };
+    let digits = power.trim_start_matches(['-', '+', '−']);
+    !digits.is_empty() && digits.chars().all(|c| c.is_ascii_digit())
 }
 
 /// The letter that an item is or begins with, and its place.
@@ -139,7 +151,7 @@ fn is_no_word(word: &str, span: Span, symbols: &Symbols) -> Read<()> {
     // `HHV`, `ESS`: nobody multiplies a capital by itself without a power. `VSWR`: nor four different ones.
     let letters = word.as_bytes();
     let are_capitals = letters.len() > 2 && letters.iter().all(u8::is_ascii_uppercase);
-    let is_short_form = are_capitals && (letters.len() > 3 || letters.windows(2).any(|pair| pair[0] == pair[1]));
+    let has_capitals = are_capitals && (letters.len() > 3 || letters.windows(2).any(|pair| pair[0] == pair[1]));
     let is_lower = |c: char| c.is_ascii_lowercase();
     let is_long = word.len() >= 4
         && word.chars().skip(1).all(is_lower)
@@ -147,16 +159,30 @@ fn is_no_word(word: &str, span: Span, symbols: &Symbols) -> Read<()> {
     let has_number = NUMBERS.iter().any(|name| if is_abstract { word == *name } else { word.contains(name) });
     // Without a declaration that anybody confirmed, KE is the kinetic energy.
     let is_energy = is_guessed && ENERGIES.contains(&word);
-    if is_energy || open && (is_long || is_short_form || has_number || WORDS.contains(&word)) {
+    if is_energy || open && (is_long || has_capitals || has_number || WORDS.contains(&word) || is_name_of_letters(word))
+    {
         if names::is_letter(&format!("\\{word}")) {
             return Err(Fault::ambiguous(span, format!("{word} may be the letter \\{word} or a product"))
                 .help(format!("write \\{word} for the letter; {apart}")));
         }
-        return Err(Fault::ambiguous(span, format!("{word} may be a name or a product")).help(format!(
-            "write a word as \\text{{{word}}}, and a name as a letter with a subscript, such as E_{{kin}}; {apart}"
-        )));
+        return Err(name_or_product(word, span));
     }
     Ok(())
+}
+
+fn name_or_product(word: &str, span: Span) -> Fault {
+    Fault::ambiguous(span, format!("{word} may be a name or a product")).help(format!(
+        "write a word as \\text{{{word}}}, and a name as a letter with a subscript, such as E_{{kin}}; for a product, put a space \\, \
+         between the letters"
+    ))
+}
+
+/// Whether three capitals are a short form more often than a product, `ROC`, `SOC`: they differ, and one of them hardly ever is a
+/// factor among capitals. `BIL` and `PVT` are products.
+fn is_short_form(word: &str) -> bool {
+    let letters = word.as_bytes();
+    let differ = letters.len() == 3 && letters[0] != letters[1] && letters[1] != letters[2] && letters[0] != letters[2];
+    differ && letters.iter().all(u8::is_ascii_uppercase) && word.contains(['O', 'W', 'S', 'U', 'D'])
 }
 
 /// The command of a function that is written as a word: `asin` is the inverse of the sine.

@@ -39,8 +39,8 @@ fn remarks_reasons_and_lists_of_names() {
 
 #[test]
 fn marks_before_a_formula_may_say_that_it_changes() {
-    are_read(&[("d\\sin\\theta = m\\lambda", "d·sin(θ) = m·λ")]);
-    are_refused(&["\\delta\\ln W = 0", "d\\ln T = \\frac{dT}{T}", "\\Delta\\frac1\\lambda = a"]);
+    are_read(&[("d\\sin\\theta = m\\lambda", "d·sin(θ) = m·λ"), ("d\\ln T = \\frac{dT}{T}", "d(ln(T)) = dT/T")]);
+    are_refused(&["\\delta\\ln W = 0", "d\\ln T = a", "\\Delta\\frac1\\lambda = a"]);
 }
 
 #[test]

@@ -215,8 +215,7 @@ fn products_of_letters_with_a_cross_or_indices_may_be_more() {
 
 #[test]
 fn the_argument_of_a_function_may_go_on_after_a_dot() {
-    for latex in [r"\sin 2\cdot\theta", r"\sin 2 \times b", r"\cos\omega\cdot t", r"\ln 2 b", r"\sin n\pi", r"\cos b 2"]
-    {
+    for latex in [r"\sin 2\cdot\theta", r"\sin 2 \times b", r"\cos\omega\cdot t", r"\ln 2 b", r"\cos b 2"] {
         assert!(openly(latex).is_err(), "{latex}");
     }
     read_openly(&[
@@ -226,6 +225,7 @@ fn the_argument_of_a_function_may_go_on_after_a_dot() {
         (r"\sin b \cdot v", "sin(b)·v"),
         (r"\sin\frac{\pi}{4}\cdot v", "sin(π/4)·v"),
         (r"\sin(n\pi)", "sin(n·π)"),
+        (r"\sin n\pi", "sin(n·π)"),
     ]);
 }
 

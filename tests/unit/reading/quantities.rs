@@ -54,7 +54,7 @@ fn what_is_no_unit_stays_what_it_is() {
         (r"T_{\mathrm{m}}", "T_m"),
         (r"2\,\mathrm{d}x", "2·dx"),
         (r"3\mathrm{K}", "! "),
-        (r"\omega = 2\,\Omega", "ω = 2·Ω"),
+        (r"\omega = 2\Omega", "ω = 2·Ω"),
         (r"x = 3 \text{ for } y > 0", "x = 3 for y > 0"),
         (r"3\,\text{apples}", "3 | ! "),
         (r"x\,\text{m}", "! "),
@@ -68,6 +68,7 @@ fn what_is_no_unit_stays_what_it_is() {
         (r"9.8\,\text{ms}^{-2}", "a metre per second"),
         (r"t = 5\,\mathrm{min}\,30\,\mathrm{s}", "a sum or a product"),
         (r"1/2\ \text{m}", r"may be 1/(2\,\text{m}) or (1/2)\,\text{m}"),
+        (r"\omega = 2\,\Omega", "the unit ohm or a quantity"),
         (r"25^\circ\mathrm{C}", "its zero is not that of the kelvin"),
         (r"\SI{25}{\celsius}", "not supported"),
     ] {

@@ -283,7 +283,12 @@ impl Settler {
             Layout::Unit(units) => Some(units.clone()),
             Layout::Group(inner) => self.whole(inner),
             Layout::Fraction(above, below) => self.fraction(above, below),
-            Layout::Command(name) if name == "\\Omega" && self.electric && at > 0 && is_thin(&items[at - 1]) => {
+            Layout::Command(name)
+                if name == "\\Omega"
+                    && (self.electric || is_before_a_unit(&items[at + 1..]))
+                    && at > 0
+                    && is_thin(&items[at - 1]) =>
+            {
                 one(Unit::named("Ω")?)
             }
             _ => sign(nucleus).and_then(one),
@@ -333,6 +338,12 @@ impl Settler {
         found.divides = false;
         Some(found)
     }
+}
+
+/// Whether an upright unit follows, after a space or a dot perhaps: `\Omega\,\mathrm{m}` is an ohm metre.
+fn is_before_a_unit(rest: &[Item]) -> bool {
+    let next = rest.iter().find(|item| !is_thin(item) && !is_times(item));
+    next.is_some_and(|next| matches!(next.layout, Layout::Unit(_)))
 }
 
 fn one(unit: Unit) -> Option<Units> {

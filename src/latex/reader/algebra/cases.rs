@@ -1,6 +1,7 @@
 //! `cases`: a value for each condition; and the conditions that stand after a statement.
 
 use crate::formula::tree::{Branch, Condition, Expr, Node, Relation};
+use crate::formula::units::Unit;
 use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Delimiter, Item, Layout};
@@ -26,11 +27,16 @@ impl Reader<'_> {
             };
             let place = value.first().map_or(span, |item| item.span);
             let value = self.sum(trimmed(value), place)?;
-            let conditions = match self.condition(trimmed(condition), place) {
+            let condition = trimmed(condition);
+            let conditions = match self.condition(condition, place) {
+                // `x < 1 \text{ high field}`: words are no factor of the bound.
+                Ok(Stated::Holds(_)) if self.is_abstract() && ends_with_words(condition) => {
+                    vec![self.unread_condition(condition, place)]
+                }
                 Ok(Stated::Otherwise) => Vec::new(),
                 Ok(Stated::Holds(conditions)) => conditions,
                 // A word such as “boson” is shown.
-                Err(_) if self.is_abstract() => vec![self.unread_condition(trimmed(condition), place)],
+                Err(_) if self.is_abstract() => vec![self.unread_condition(condition, place)],
                 Err(fault) => return Err(fault),
             };
             branches.push(Branch { value, conditions });
@@ -177,6 +183,14 @@ fn split_row(items: &[Item]) -> Option<(&[Item], &[Item])> {
 
 fn is_blank(item: &Item) -> bool {
     matches!(item.layout, Layout::Space(_) | Layout::Other(',' | ';' | '.'))
+}
+
+/// Whether words stand behind the comparison of a condition.
+fn ends_with_words(items: &[Item]) -> bool {
+    const SHORT: usize = 3;
+    let is_words =
+        |word: &str| word.len() > SHORT && word.chars().all(|c| c.is_lowercase()) && Unit::named(word).is_none();
+    matches!(items.split_last(), Some((Item { layout: Layout::Text(word), .. }, [_, ..])) if is_words(word))
 }
 
 /// Without spaces and punctuation at both ends.

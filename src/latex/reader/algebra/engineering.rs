@@ -1,6 +1,7 @@
 //! Whether j is √−1 in a display, as engineers write it: before a frequency, `j\omega`, before ħ, before a sine.
 //!
-//! It is a symbol where it is an index, has one, has an accent or equals something, and where only an exponent of e has it.
+//! So it is before an impedance in a sum, `R + jX`, and before a Greek letter in an exponent of e, `e^{-j\beta z}`. It is a symbol where it is
+//! an index, has one, has an accent or equals something, and where only another exponent of e has it.
 
 use super::super::super::layout::{Item, Layout, contents, parts};
 use super::super::super::names;
@@ -34,10 +35,14 @@ fn is_evident(items: &[Item]) -> bool {
         let is_term = at > 0 && matches!(solid[at - 1].layout, Layout::Other('+' | '-'));
         is_j(solid[at])
             && (after(at).is_some_and(|next| is_frequency(next))
+                || is_term && solid.get(at + 1).is_some_and(|next| is_impedance(next))
                 || is_term && solid[..at].iter().any(|item| is_command(item, "\\cos")) && before_sine())
     });
     let in_exponent = |item: &Item| match &item.layout {
-        Layout::Scripts { sup: Some(sup), .. } => is_evident(contents(sup)),
+        Layout::Scripts { nucleus, sup: Some(sup), .. } => {
+            let is_e = nucleus.layout == Layout::Letter('e');
+            is_evident(contents(sup)) || is_e && begins_with_a_phase(contents(sup))
+        }
         _ => false,
     };
     here || items.iter().any(|item| in_exponent(item) || parts(item).into_iter().any(is_evident))
@@ -50,6 +55,25 @@ fn is_frequency(item: &Item) -> bool {
         _ => names::printed(item, None)
             .is_some_and(|found| ["\\omega", "\\Omega", "\\hbar"].contains(&found.name.base.as_str())),
     }
+}
+
+/// An impedance or a reactance, of which a real part stands before j: `R + jX`, `Z_0 + jZ_L\tan\beta l`.
+fn is_impedance(item: &Item) -> bool {
+    names::printed(item, None).is_some_and(|found| ["Z", "X"].contains(&found.name.base.as_str()))
+}
+
+/// The exponent of e in `e^{-j\beta z}`, `e^{j2\pi/3}`: j before a Greek letter, with a sign or a number perhaps.
+fn begins_with_a_phase(items: &[Item]) -> bool {
+    const PHASES: [&str; 8] = ["\\beta", "\\gamma", "\\theta", "\\phi", "\\varphi", "\\psi", "\\pi", "\\delta"];
+    let is_factor = |item: &&Item| {
+        !matches!(item.layout, Layout::Number(_) | Layout::Other('+' | '-')) && !matches!(item.layout, Layout::Space(_))
+    };
+    let mut factors = items.iter().filter(is_factor);
+    factors.next().is_some_and(is_j)
+        && factors.next().is_some_and(|next| match &next.layout {
+            Layout::Command(name) => PHASES.contains(&name.as_str()),
+            _ => names::printed(next, None).is_some_and(|found| PHASES.contains(&found.name.base.as_str())),
+        })
 }
 
 fn is_command(item: &Item, command: &str) -> bool {

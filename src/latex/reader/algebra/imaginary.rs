@@ -1,6 +1,7 @@
 //! Whether i is √−1 in a display without declarations: in the exponent of e, beside ħ, before a commutator, squared, or upright, unless it
 //! is an index somewhere in the display. So is an upright j.
 
+use super::super::super::arguments::has_dagger;
 use super::super::super::layout::{Delimiter, Item, Layout, contents, parts};
 use super::super::super::rows::relation;
 use super::matrices::{is_bold, is_break, is_matrix, name_of};
@@ -25,7 +26,9 @@ pub(super) fn has_upright(items: &[Item], letter: char) -> bool {
 
 /// Whether the letter i must be √−1 here.
 pub fn has_imaginary_unit(items: &[Item]) -> bool {
-    (is_evident(items) || (has_hbar(items) || has_states(items)) && mentions(items)) && !is_index(items)
+    // Beside a dagger there are operators, and no currents.
+    let is_quantum = || has_hbar(items) || has_states(items) || has_dagger(items);
+    (is_evident(items) || is_quantum() && mentions(items)) && !is_index(items)
 }
 
 /// Whether a product of states stands anywhere, `\langle a|A|b\rangle`, and i is the name of none: it is no current beside it.
@@ -191,8 +194,11 @@ fn is_greek(item: Option<&&Item>) -> bool {
 /// `x + iy`, `a - ib`, `v_x + iv_y`: a sum of two neighbours in the alphabet.
 fn is_pair(items: &[&Item], at: usize) -> bool {
     let [.., first, sign] = &items[..at] else { return false };
-    let (Layout::Other('+' | '-'), Some(first), Some(second)) =
-        (&sign.layout, name_of(first), items.get(at + 1).and_then(|next| name_of(next)))
+    let is_sign = match &sign.layout {
+        Layout::Command(name) => name == "\\pm" || name == "\\mp",
+        _ => matches!(sign.layout, Layout::Other('+' | '-')),
+    };
+    let (true, Some(first), Some(second)) = (is_sign, name_of(first), items.get(at + 1).and_then(|next| name_of(next)))
     else {
         return false;
     };

@@ -6,15 +6,21 @@ use crate::formula::symbols::{Kind, Name};
 use super::super::super::arguments::names_itself;
 use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
-use super::super::items::{is_transpose, joint};
+use super::super::items::{is_numeric_item, is_transpose, joint, whole_number};
 use super::super::state::Reader;
-use super::inside::{has_rate, parenthesis, relation_or_comma};
+use super::inside::{FIELDS, has_rate, is_function, parenthesis, relation_or_comma};
 
 impl Reader<'_> {
     /// Whether braces hold a sum, `D\{a + b\}`, or a coefficient stands before brackets around parentheses, `a[(b + c) + d]`.
     /// The arguments of a function stand in neither.
     pub(super) fn is_a_product_by_its_brackets(&self, id: SymbolId, fence: &Item) -> bool {
         let Layout::Fence(delimiter, inside) = &fence.layout else { return false };
+        // `x\left[\begin{matrix} 0 & 1 \\ 1 & 0 \end{matrix}\right]`: the brackets are those of the matrix.
+        if let [Item { layout: Layout::Environment(name, _), .. }] = inside.as_slice()
+            && name.ends_with("matrix")
+        {
+            return true;
+        }
         let name = &self.symbols.entry(id).name;
         let is_sum = inside.iter().skip(1).any(|item| self.is_sign(item));
         let holds = |of: &dyn Fn(&Item) -> bool| inside.iter().any(of);
@@ -67,10 +73,28 @@ impl Reader<'_> {
         // `V_m (\Delta\alpha)^2`
         let is_change = matches!(inside, [Item { layout: Layout::Command(mark), .. }, _] if mark == "\\Delta");
         let is_squared = is_powered && is_change && !name.subscript.is_empty();
-        // `N_0(1 - \lambda t)`
+        // `N_0(1 - \lambda t)`, `V_{in}(1 + \frac{R_2}{R_1})`
         let begins = matches!(inside, [Item { layout: Layout::Number(_), .. }, sign, ..] if self.is_sign(sign));
-        let is_value = name.subscript == ["0"] && begins;
+        let is_divided = begins && inside.len() > 2 && inside[2..].iter().all(|item| is_ratio(item));
+        let is_divider = matches!(inside, [only] if is_ratio(only));
+        let is_labelled = is_electric(name) && !is_powered;
+        let is_value = name.subscript == ["0"] && begins || is_labelled && (is_divided || is_divider);
         name.primes == 0 && (is_factor || is_squared || is_value || inferred.matrices.contains(&name.base))
+    }
+
+    /// Whether a power of a letter that is no usual function stands before a quotient of letters, `I^2\left(\frac{\rho L}{A}\right)`: the power
+    /// of a value would stand behind the parenthesis.
+    pub(super) fn is_before_a_quotient(&self, id: SymbolId, sup: Option<&Item>, next: &Item) -> bool {
+        let entry = self.symbols.entry(id);
+        let is_power = sup.and_then(whole_number).is_some_and(|power| power > 1);
+        let is_quotient = matches!(&next.layout, Layout::Fence(Delimiter::Round, inside)
+            if matches!(inside.as_slice(), [only] if matches!(only.layout, Layout::Fraction(..)) && !is_numeric_item(only)));
+        self.symbols.open
+            && is_power
+            && is_quotient
+            && !is_function(entry)
+            && !FIELDS.contains(&entry.name.base.as_str())
+            && !self.is_inferred_function(&entry.name)
     }
 
     /// Whether a vector stands before a sum of vectors, `\mathbf{E}(\mathbf{r} - \mathbf{a})`: it is a function or a matrix, since
@@ -112,5 +136,38 @@ impl Reader<'_> {
         });
         let ends = items[end..].iter().all(|item| matches!(item.layout, Layout::Space(_)));
         (is_root && is_time && ends).then_some(end)
+    }
+}
+
+/// A voltage or a current with a label of several letters, `V_{in}`, `i_{R_L}`, or with one that is no number and no index, `v_b`.
+fn is_electric(name: &Name) -> bool {
+    let is_order = |part: &String| {
+        ["n", "m", "k", "l", "j", "t", "x"].contains(&part.as_str()) || part.chars().all(|c| c.is_ascii_digit())
+    };
+    ["V", "v", "I", "i", "U", "E"].contains(&name.base.as_str())
+        && name.primes == 0
+        && !name.subscript.is_empty()
+        && !(name.subscript.len() == 1 && name.subscript.iter().all(is_order))
+}
+
+/// Whether an item is a quotient of resistances or impedances, which divide a voltage.
+fn is_ratio(item: &Item) -> bool {
+    fn are_impedances(item: &Item) -> bool {
+        contents(item).iter().all(|item| match &item.layout {
+            Layout::Number(_) | Layout::Space(_) | Layout::Other('+' | '-') => true,
+            Layout::Fence(Delimiter::Round, _) => are_impedances(item),
+            _ => names::printed(item, None).is_some_and(|found| {
+                found.sup.is_none()
+                    && ["R", "r", "Z", "X"].contains(&found.name.base.as_str())
+                    && found.name.primes == 0
+            }),
+        })
+    }
+    match &item.layout {
+        Layout::Fraction(above, below) => {
+            let is_number = |part: &Item| contents(part).iter().all(|item| matches!(item.layout, Layout::Number(_)));
+            are_impedances(above) && are_impedances(below) && !is_number(below)
+        }
+        _ => false,
     }
 }

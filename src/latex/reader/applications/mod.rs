@@ -72,6 +72,7 @@ impl Reader<'_> {
                 return self.raised(expr, above, span);
             }
             Some(next) if self.is_argument(next, id) => *cursor += 1,
+            Some(next) if sup.is_some() && self.is_before_a_quotient(id, sup, next) => {}
             Some(next) => match self.is_a_product(id, span, next) {
                 // `V(1/u)` is shown as it is printed: nobody puts a single factor of a product in parentheses. A letter that
                 // is no usual name of a function is refused, as in `ie(\partial_\mu A_\nu)`.

@@ -167,7 +167,13 @@ impl Reader<'_> {
                 let text = format!("{words}\\,{}", printed(rest));
                 self.template(&text, Vec::new(), place)
             }
-            _ => self.label(items, place),
+            _ => {
+                // Words are apart from what they follow.
+                let is_text = |item: &Item| matches!(item.layout, Layout::Text(_));
+                let parts = items.chunk_by(|_, next| !is_text(next)).map(printed);
+                let text = parts.collect::<Vec<_>>().join("\\,");
+                self.template(&text, Vec::new(), place)
+            }
         };
         Condition { members: vec![label], relations: Vec::new() }
     }

@@ -1,10 +1,15 @@
 //! Functions with a name and no value here, `\max(a, b)`, `\mathrm{erf}(x)`; and the power of an operator with a parenthesis.
 
+use std::ops::Range;
+
 use crate::formula::tree::Expr;
 use crate::source::Fault;
 
 use super::super::super::layout::{Delimiter, Item, Layout, contents};
+use super::super::super::names;
 use super::super::algebra::operator_word;
+use super::super::items::{Joint, joint};
+use super::super::slashes;
 use super::super::state::{Read, Reader};
 use super::{is_prose, printed};
 
@@ -144,13 +149,46 @@ impl Reader<'_> {
                 Some(self.term(&items[rest])?)
             }
             true => self.on_the_rest(items, cursor)?,
-            false => self.on_the_next(items, cursor)?,
+            false => {
+                let head = *cursor - 1;
+                let inner = self.on_the_next(items, cursor)?;
+                has_a_clear_argument(items, head..*cursor, &word)?;
+                inner
+            }
         };
         let Some(inner) = inner else {
             return Ok(Some(self.template(&name, Vec::new(), item.span)));
         };
         let span = item.span.to(inner.span);
         Ok(Some(self.template(&format!("{name}(#)"), vec![inner], span)))
+    }
+}
+
+/// Rejects `\log p/q` and `\log x^2`, as `\ln p/q` and `\ln x^2` are rejected. `reached` is the function and its argument.
+fn has_a_clear_argument(items: &[Item], reached: Range<usize>, word: &str) -> Read<()> {
+    let is_space = |item: &Item| matches!(item.layout, Layout::Space(_));
+    let head = &items[reached.start];
+    let Some(argument) = items[reached.start + 1..reached.end].iter().find(|item| !is_space(item)) else {
+        return Ok(());
+    };
+    if let Layout::Scripts { nucleus, sup: Some(_), .. } = &argument.layout
+        && DOUBTFUL.contains(&word)
+        && names::printed(nucleus, None).is_some_and(|printed| printed.name.base != "e")
+    {
+        let what = format!("\\{word} x^2 may be (\\{word} x)^2 or \\{word}(x^2)");
+        let advice = format!("write (\\{word} x)^2 for the power of the function, or \\{word}(x^2)");
+        return Err(Fault::ambiguous(head.span.to(argument.span), what).help(advice));
+    }
+    let Some(slash) = items[reached.end..].iter().position(|item| !is_space(item)).map(|at| reached.end + at) else {
+        return Ok(());
+    };
+    // `\log x/\log 2` is a quotient of two logarithms.
+    let below = items[slash + 1..].iter().find(|item| !is_space(item));
+    let is_of_two =
+        below.is_some_and(|below| printed(std::slice::from_ref(below)) == printed(std::slice::from_ref(head)));
+    match joint(&items[slash]) == Some(Joint::Slash) && !matches!(argument.layout, Layout::Fence(..)) && !is_of_two {
+        true => Err(slashes::after_a_function(items, head.span, slash)),
+        false => Ok(()),
     }
 }
 

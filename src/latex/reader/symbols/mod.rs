@@ -242,7 +242,7 @@ impl Reader<'_> {
             ));
         }
         if name.base == "j" && name.subscript.is_empty() && items.get(*cursor).is_some_and(mentions_a_frequency) {
-            return Err(Fault::ambiguous(span, "j before a frequency may be √−1 or a symbol")
+            return Err(Fault::ambiguous(span, "j before a frequency or an impedance may be √−1 or a symbol")
                 .help("write i for √−1, or declare j as \"imaginary unit\" in a claims file"));
         }
         let is_acting = self.symbols.inferred.acting.contains(name);
@@ -308,9 +308,11 @@ impl Reader<'_> {
         }
         if !is_vector && has_markup && self.is_abstract() {
             let symbol = self.valueless(name.clone(), printed.dots, span)?;
-            return match printed.sup {
-                Some(sup) => self.raised(symbol, sup, span),
-                None => Ok(symbol),
+            // `\hat U(-t)`: where the name stands first it is read as where it stands again.
+            return match (printed.sup, symbol.as_plain_symbol()) {
+                (Some(sup), _) => self.raised(symbol, sup, span),
+                (None, Some(id)) if has_hat => self.applied(symbol, id, None, items, cursor),
+                (None, _) => Ok(symbol),
             };
         }
         if !is_vector && has_markup {
@@ -465,6 +467,7 @@ fn is_unit_vector(base: &str) -> bool {
 fn mentions_a_frequency(item: &Item) -> bool {
     match &item.layout {
         Layout::Fence(_, inside) => inside.iter().any(mentions_a_frequency),
-        _ => names::printed(item, None).is_some_and(|printed| printed.name.base == "\\omega"),
+        _ => names::printed(item, None)
+            .is_some_and(|printed| ["\\omega", "Z", "X"].contains(&printed.name.base.as_str())),
     }
 }

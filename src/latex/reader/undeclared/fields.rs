@@ -5,8 +5,10 @@ use crate::formula::tree::Expr;
 use crate::source::Fault;
 
 use super::super::super::layout::{Item, Layout, contents};
+use super::super::super::names;
 use super::super::items::{Joint, joint, whole_number};
 use super::super::state::{Read, Reader};
+use super::super::vector_names::is_vectorial;
 
 impl Reader<'_> {
     /// ∇ with what it acts on, at the ∇; `None` if there is none here.
@@ -43,7 +45,14 @@ impl Reader<'_> {
         if matches!(name, "\\nabla\\cdot" | "\\nabla\\times") {
             *cursor += 1;
         }
-        let inner = self.acted_on(item.span, items, cursor)?;
+        let inner = match self.length_of_a_flux(&items[*cursor..]).filter(|_| name != "\\nabla" && !squared) {
+            Some(length) => {
+                let flux = &items[*cursor..*cursor + length];
+                *cursor += length;
+                self.term(flux)?
+            }
+            None => self.acted_on(item.span, items, cursor)?,
+        };
         let is_vector = self.shape_of(&inner)? == crate::formula::shape::Shape::Vector;
         let needs_vector = matches!(name, "\\nabla\\cdot" | "\\nabla\\times");
         if needs_vector != is_vector && name != "\\nabla^{2}" {
@@ -56,5 +65,25 @@ impl Reader<'_> {
         }
         let span = item.span.to(inner.span);
         Ok(Some(self.operate(name, operator, vec![inner], span)))
+    }
+
+    /// The length of numbers before a vector at the end of a term, `\rho\mathbf u`: a number alone has no divergence.
+    fn length_of_a_flux(&self, items: &[Item]) -> Option<usize> {
+        let solid: Vec<&Item> = items.iter().take_while(|item| !matches!(item.layout, Layout::Space(_))).collect();
+        let is_end = items[solid.len()..].iter().all(|item| matches!(item.layout, Layout::Space(_)));
+        let (last, factors) = solid.split_last()?;
+        let name = |item: &Item| {
+            let found = names::printed(item, self.branch)?;
+            (found.sup.is_none() && found.dots == 0).then_some(found.name)
+        };
+        let is_vector = |item: &Item| name(item).is_some_and(|name| is_vectorial(&name.base));
+        let is_number = |item: &&Item| {
+            name(item).is_some_and(|name| {
+                !is_vectorial(&name.base)
+                    && name.base != "\\nabla"
+                    && !self.symbols.inferred.matrices.contains(&name.base)
+            })
+        };
+        (is_end && !factors.is_empty() && is_vector(last) && factors.iter().all(is_number)).then_some(solid.len())
     }
 }

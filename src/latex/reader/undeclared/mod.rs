@@ -8,6 +8,7 @@
 //! | --- | --- |
 //! | `functions` | `V(r)`, `V'(r)`, `x(0)`, `f(x + h)`, where the use of the name shows a function |
 //! | `coefficient_d` | whether d is a factor in a display, and no differential |
+//! | `current` | whether i is a current or an angle in a display, and not √−1 |
 //! | `sums` | `\sum`, `\prod`, `\lim`, `\dots` |
 //! | `integrals` | `\int`, `\oint`, differentials in the integrand |
 //! | `fields` | `\nabla` |
@@ -15,7 +16,7 @@
 //! | `bound` | the letter of an integral that stands again behind it, which is refused |
 //! | `no_factors` | what stands beside a factor and is none, which is refused |
 //! | `neighbours` | factors that a person reads otherwise, which are refused |
-//! | `unclear_derivatives` | Laplacians that look like differences, and derivatives that look like labels, which are refused |
+//! | `unclear` | derivatives and integrals that may be meant in two ways, which are refused |
 //! | `uses` | names that are factors in one place and seem to be functions in another |
 //! | `spelled_names` | names of several letters that look like a product, which are refused |
 //! | `vectors` | dots between bold letters of which one is a matrix |
@@ -30,11 +31,12 @@ pub(in super::super) use marks::note_marks;
 pub(super) use neighbours::unclear_reach;
 pub(in super::super) use spelled_names::unclear_name;
 pub(super) use sums::follows_a_sum;
-pub(in super::super) use unclear_derivatives::unclear_derivative;
+pub(in super::super) use unclear::unclear;
 
 mod bars;
 pub(super) mod bound;
 pub(in super::super) mod coefficient_d;
+pub(in super::super) mod current;
 mod fields;
 mod functions;
 mod integrals;
@@ -43,7 +45,7 @@ mod neighbours;
 mod no_factors;
 mod spelled_names;
 mod sums;
-mod unclear_derivatives;
+mod unclear;
 pub(in super::super) mod uses;
 pub(in super::super) mod vectors;
 

@@ -10,7 +10,9 @@ use super::super::items::{is_numeric_item, joint};
 use super::super::state::{Read, Reader};
 use super::super::structure::is_open_decimal;
 use super::super::words::after_a_symbol;
-use super::no_factors::{is_expectation, is_power_of_j, is_twice_pi, is_word, signed_in_braces, unclear_operator};
+use super::no_factors::{
+    are_numbers, is_expectation, is_power_of_j, is_twice_pi, is_word, signed_in_braces, unclear_operator,
+};
 
 /// Arrows that show a direction or a change, and are no factors.
 const ARROWS: [&str; 8] = [
@@ -184,7 +186,8 @@ impl Reader<'_> {
         }
         let ends =
             items[at + 1..].iter().all(|next| matches!(next.layout, Layout::Space(_) | Layout::Other('.' | ',')));
-        if ends && is_equation_number(item) && !is_nonzero_number(before) && joint(before).is_none() {
+        let is_factor = is_nonzero_number(before) || are_numbers(before);
+        if ends && is_equation_number(item) && !is_factor && joint(before).is_none() {
             return Err(Fault::ambiguous(
                 item.span,
                 "a number in parentheses at the end may be that of the equation, or a factor",

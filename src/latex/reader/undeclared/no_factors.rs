@@ -6,12 +6,12 @@ use crate::source::Fault;
 
 use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
-use super::super::items::{joint, whole_number};
+use super::super::items::{differential, joint, whole_number};
 
 /// The fault of δ, Δ or d before what is no letter: `\delta\ln W`, `d\ln T`; and of Δ² before a letter. `d\sin\theta` is a product as often.
 pub(super) fn unclear_operator(before: &Item, item: &Item) -> Option<Fault> {
     let is_mark = matches!(&before.layout, Layout::Command(name) if name == "\\delta" || name == "\\Delta");
-    let is_d = before.layout == Layout::Letter('d');
+    let is_d = differential(before) == Some(1);
     let is_logarithm = matches!(&item.layout, Layout::Command(name) if name == "\\ln" || name == "\\log");
     let is_formula = match &item.layout {
         Layout::Command(name) => {
@@ -75,4 +75,14 @@ pub(super) fn is_twice_pi(items: &[Item]) -> bool {
     let mut solid = items.iter().rev().filter(|item| !matches!(item.layout, Layout::Space(_)));
     let is_pi = solid.next().is_some_and(|pi| pi.layout == Layout::Command("\\pi".to_owned()));
     is_pi && solid.next().is_some_and(|two| two.layout == Layout::Number("2".to_owned()))
+}
+
+/// Whether an item is a parenthesis with numbers alone in it, `(1.6 \times 10^{-19})`, behind which a number in parentheses is a factor.
+pub(super) fn are_numbers(item: &Item) -> bool {
+    let is_number = |item: &Item| match &item.layout {
+        Layout::Number(_) | Layout::Other('-') => true,
+        Layout::Scripts { nucleus, sub: None, .. } => matches!(nucleus.layout, Layout::Number(_)),
+        _ => joint(item).is_some(),
+    };
+    matches!(&item.layout, Layout::Fence(Delimiter::Round, inside) if inside.iter().all(is_number))
 }

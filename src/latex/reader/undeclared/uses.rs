@@ -7,10 +7,13 @@ use std::collections::HashSet;
 use crate::formula::symbols::Name;
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Delimiter, Item, Layout, contents};
+use super::super::super::layout::{Delimiter, Item, Layout, contents, latex};
 use super::super::super::names::{self, Printed};
 use super::super::super::rows::relation;
 use super::super::items::{differential, function_head, joint, whole_number};
+
+/// Fields that are taken at two places in one formula.
+const SHIFTED: [&str; 9] = ["u", "w", "f", "V", "U", "G", "\\psi", "\\phi", "\\varphi"];
 
 /// What a display shows about its names.
 #[derive(Default)]
@@ -27,6 +30,10 @@ pub(in super::super::super) struct Uses {
     pub(in super::super::super) exponents: HashSet<String>,
     /// The names with a dot.
     dotted: HashSet<Name>,
+    /// Names of fields before a sum of two letters, and whether its sign is a minus: `u(x - a)`.
+    shifted: Vec<(Name, [Name; 2], bool)>,
+    /// The two names of a quotient in which both have the same parenthesis after them, `\frac{V(-l)}{I(-l)}`.
+    quotients: Vec<Name>,
     /// The place of a g before a sum of which nothing says that it is a height or a mass.
     unclear_g: Option<Span>,
 }
@@ -42,6 +49,16 @@ impl Uses {
     /// The names that are factors, and nowhere functions.
     pub(in super::super::super) fn factors(&self) -> HashSet<Name> {
         self.bare.difference(&self.sure).cloned().collect()
+    }
+
+    /// The names that nobody takes for factors: a field at two places that differ in a sign, `u(x - a) + u(x + a)`, and both parts of a
+    /// quotient that would have a common factor.
+    pub(in super::super::super) fn functions(&self) -> Vec<Name> {
+        let has_twin = |(name, letters, is_minus): &&(Name, [Name; 2], bool)| {
+            self.shifted.contains(&(name.clone(), letters.clone(), !is_minus))
+        };
+        let names = self.shifted.iter().filter(has_twin).map(|(name, _, _)| name.clone());
+        names.chain(self.quotients.iter().cloned()).filter(|name| !self.bare.contains(name)).collect()
     }
 
     /// Whether a letter has a dot somewhere.
@@ -111,6 +128,14 @@ impl Uses {
             });
             self.arguments.extend(listed);
         }
+        if let [first, sign, second] = solid.as_slice()
+            && let (Some(first), Some(second)) = (lone(first), lone(second))
+            && matches!(sign.layout, Layout::Other('+' | '-'))
+            && SHIFTED.contains(&name.base.as_str())
+        {
+            let is_minus = sign.layout == Layout::Other('-');
+            self.shifted.push((name.clone(), [first.name, second.name], is_minus));
+        }
         match power {
             Some(_)
                 if is_lone && matches!(fence.layout, Layout::Fence(Delimiter::Round, _)) && name.base != "\\delta" =>
@@ -166,6 +191,14 @@ impl Uses {
                         differential(first).is_some() || nucleus.layout == Layout::Command("\\partial".to_owned())
                     })
                 };
+                if let ([first, place], [second, other]) = (contents(above), contents(below))
+                    && let (Some(first), Some(second)) = (lone(first), lone(second))
+                    && let (Some((_, place)), Some((_, other))) = (parenthesis(place), parenthesis(other))
+                    && first.name != second.name
+                    && latex(place) == latex(other)
+                {
+                    self.quotients.extend([first.name, second.name]);
+                }
                 if !begins(below) {
                     self.list(contents(above), true);
                     self.list(contents(below), true);

@@ -13,6 +13,8 @@
 //!
 //! A name that is a function in one place is one everywhere. Vectors are told by their markup alone.
 
+mod marks;
+
 use std::collections::HashSet;
 
 use crate::formula::symbols::{Inferred, Name, Symbols};
@@ -28,20 +30,23 @@ use super::primed_names;
 use super::reader::algebra::evidence;
 use super::reader::items::{differential, is_integral, is_minus_one, is_transpose, whole_number};
 use super::reader::structure;
-use super::reader::undeclared::{coefficient_d, uses, vectors};
+use super::reader::undeclared::{coefficient_d, current, uses, vectors};
 use super::rows::relation;
+use marks::Marks;
 
 /// Records in an open symbol table what the items of a display show.
 pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
     let is_abstract = symbols.inferred.abstractly;
     let found = uses::of(items);
     symbols.inferred.factors = found.factors();
-    symbols.inferred.i_varies = found.has_dot("i");
+    symbols.inferred.i_varies = found.has_dot("i") || current::is_a_quantity(items);
+    let of_two_places: Vec<(Name, Option<String>)> = found.functions().into_iter().map(|name| (name, None)).collect();
     symbols.inferred.exponents = found.exponents;
     let factors = symbols.inferred.factors.clone();
     let mut evidence = Evidence { is_abstract, time: symbols.time.clone(), factors, ..Evidence::default() };
     evidence.list(items);
     evidence.at_the_same_place();
+    evidence.functions.extend(of_two_places);
     let factors_d = coefficient_d::of(items);
     evidence.differentials.alone |= factors_d.is_in_a_function || factors_d.is_factor;
     let Evidence { mut functions, primed, letters, differentials, variations, matrices, .. } = evidence;
@@ -90,28 +95,6 @@ pub(super) fn infer(items: &[Item], symbols: &mut Symbols) {
         structure::note(items, &mut symbols.inferred);
         structure::note_acting(items, &mut symbols.inferred);
         structure::note_indices(items, &mut symbols.inferred);
-    }
-}
-
-/// How often a mark such as d stands before a name, and alone.
-#[derive(Default)]
-struct Marks {
-    names: Vec<Name>,
-    alone: bool,
-    upright: bool,
-}
-
-impl Marks {
-    fn are_sure(&self, least: usize) -> bool {
-        !self.alone && (self.names.len() >= least || self.upright && !self.names.is_empty())
-    }
-
-    fn note(&mut self, name: Option<Name>) {
-        match name {
-            Some(name) if !self.names.contains(&name) => self.names.push(name),
-            Some(_) => {}
-            None => self.alone = true,
-        }
     }
 }
 
@@ -188,7 +171,11 @@ impl Evidence {
                     .skip(1)
                     .find(|item| !matches!(item.layout, Layout::Space(_)))
                     .is_some_and(|item| relation(item).is_some());
-            self.application(item, next, is_side);
+            // `2\pi(a, b)` is a list of components with a factor.
+            let is_turn = item.layout == Layout::Command("\\pi".to_owned());
+            if !(is_turn && at > 0 && matches!(items[at - 1].layout, Layout::Number(_))) {
+                self.application(item, next, is_side);
+            }
             // `(uv)' = u'v + uv'`: the prime of a product is a derivative, and those of its factors too.
             if let Layout::Scripts { nucleus, primes: 1.., .. } = &item.layout
                 && let Layout::Fence(Delimiter::Round, inside) = &nucleus.layout
@@ -218,8 +205,12 @@ impl Evidence {
                 let rest = items[at + 1..].iter().find(|item| !matches!(item.layout, Layout::Space(_)));
                 self.differentials.upright |= upright;
                 let is_alone = rest.and_then(|item| names::printed(item, None)).is_none();
+                let is_logarithm =
+                    |item: &Item| matches!(&item.layout, Layout::Command(name) if name == "\\ln" || name == "\\log");
                 let before_parenthesis = rest.is_some_and(|item| matches!(item.layout, Layout::Fence(..)));
-                if !(is_alone && (upright || before_parenthesis)) {
+                if rest.is_some_and(is_logarithm) {
+                    self.differentials.logarithms += 1;
+                } else if !(is_alone && (upright || before_parenthesis)) {
                     self.differentials.note(rest.and_then(|item| names::printed(item, None)).map(|found| found.name));
                 }
             }
@@ -295,7 +286,9 @@ impl Evidence {
         let name = Name { primes: 0, ..found.name };
         // Two primes on a vector name another one as often.
         let is_vector = ["\\vec{", "\\mathbf{", "\\hat{"].iter().any(|mark| name.base.contains(mark));
-        if primes > 1 && !is_vector && !self.primed.contains(&name) {
+        // `q''_s`, `\dot q''`: a flux per area.
+        let is_flux = ["q", "m", "Q"].contains(&name.base.as_str()) && (found.dots > 0 || !name.subscript.is_empty());
+        if primes > 1 && !is_vector && !is_flux && !self.primed.contains(&name) {
             self.primed.push(name.clone());
         }
         let Some((delimiter, inside)) = next.filter(|next| !is_unit_in_brackets(next)).and_then(fence) else { return };

@@ -4,9 +4,9 @@
 use crate::formula::symbols::Name;
 use crate::source::{Fault, Span};
 
-use super::super::super::layout::{Delimiter, Item, Layout, contents};
-use super::super::super::names;
-use super::super::super::rows::relation;
+use super::super::super::super::layout::{Delimiter, Item, Layout, contents};
+use super::super::super::super::names;
+use super::super::super::super::rows::relation;
 
 /// Letters of fields, of which Δ is a Laplacian as often as a difference.
 const FIELDS: [&str; 6] = ["u", "\\phi", "\\varphi", "\\Phi", "\\psi", "\\Psi"];
@@ -15,7 +15,7 @@ const FIELDS: [&str; 6] = ["u", "\\phi", "\\varphi", "\\Phi", "\\psi", "\\Psi"];
 const VARIABLES: [&str; 5] = ["t", "x", "y", "z", "r"];
 
 /// The fault of such a derivative in a display.
-pub(in super::super::super) fn unclear_derivative(items: &[Item]) -> Option<Fault> {
+pub(super) fn unclear_derivative(items: &[Item]) -> Option<Fault> {
     let mut found = Found::default();
     found.list(items);
     if let Some((name, span)) = found.laplacian() {
@@ -95,7 +95,8 @@ impl Found {
                         || is_plain && self.has_nabla
                         || is_differenced
                 }
-                _ => is_twice && is_plain && is_letter && !is_tensor,
+                // `u_{xx} + u_{yy} = 0`: a field with two variables below it.
+                _ => is_twice && (is_plain && is_letter && !is_tensor || FIELDS.contains(&one.name.base.as_str())),
             }
         })
     }

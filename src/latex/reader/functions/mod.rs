@@ -1,45 +1,26 @@
 //! Functions such as `\sin`, and the end of an argument without parentheses.
 
+mod letters;
+mod periods;
+mod written_out;
+
 use crate::formula::symbols::Name;
 use crate::formula::text;
-use crate::formula::tree::{Expr, Function, Node, Sign, Term};
+use crate::formula::tree::{Expr, Function, Node};
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::lexer::Space;
 use super::super::names::{self, Printed};
 use super::algebra::operator_word;
-use super::items::{
-    Joint, area_function, differential, function_head, head_word, is_number, is_numeric, is_numeric_item, joint,
-    reciprocal,
-};
+use super::items::{Joint, differential, function_head, is_number, is_numeric, is_numeric_item, joint};
 use super::state::{Read, Reader};
 use super::structure::is_function_letter;
-
-/// Whether a letter usually is an angle.
-fn is_letter_of_an_angle(name: &Name) -> bool {
-    ["\\theta", "\\vartheta", "\\phi", "\\varphi", "\\alpha", "\\beta"].contains(&name.base.as_str())
-}
-
-/// Whether a letter is an angle in some notes.
-fn is_usual_angle(name: &Name) -> bool {
-    is_letter_of_an_angle(name)
-        || [
-            "\\psi",
-            "\\chi",
-            "\\gamma",
-            "\\delta",
-            "\\epsilon",
-            "\\varepsilon",
-            "\\Theta",
-            "\\Phi",
-            "\\Psi",
-            "i",
-            "A",
-            "B",
-        ]
-        .contains(&name.base.as_str())
-}
+use letters::{
+    is_counted, is_direction, is_letter_of_an_angle, is_no_frequency, is_pi, is_usual_angle, is_whole_argument,
+    is_whole_number,
+};
+pub(super) use written_out::written_out;
 
 /// The items that could be the argument of a function.
 struct Run {
@@ -55,6 +36,8 @@ struct Run {
     is_rate: bool,
     /// Whether the function is hyperbolic, so that its argument contains no angle.
     is_hyperbolic: bool,
+    /// Whether π stands behind a whole number, `n\pi`.
+    has_turns: bool,
 }
 
 impl Run {
@@ -144,8 +127,8 @@ impl Reader<'_> {
             };
             return Err(Fault::ambiguous(span, self.readings(function, &items[start..], run.end - start)).help(help));
         }
-        *cursor = run.end;
-        self.term(&items[start..run.end])
+        *cursor = run.end + periods::length(&items[start..run.end], &items[run.end..]).unwrap_or(0);
+        self.term(&items[start..*cursor])
     }
 
     /// `\ln\cosh x`: the argument is the value of another function. `\ln\sin x\cos x` may end in two places.
@@ -169,10 +152,13 @@ impl Reader<'_> {
         let name = function.name();
         let is_factor = |item: &Item| is_number(item) || names::printed(item, self.branch).is_some();
         let long = if items.get(end).is_some_and(is_factor) { end + 1 } else { end };
+        // What is read for a message adds no symbols.
+        let known = self.symbols.clone();
         let mut said = |items: &[Item]| self.term(items).ok().map(|read| text::formula(&read, self.symbols));
         let parts = items[..long]
             .split_last()
             .map(|(last, short)| (said(short), said(std::slice::from_ref(last)), said(&items[..long])));
+        *self.symbols = known;
         match parts {
             Some((Some(short), Some(last), Some(long))) if !short.is_empty() => {
                 format!("the argument of \\{name} may end in two places: {name}({short})·{last} or {name}({long})")
@@ -184,10 +170,22 @@ impl Reader<'_> {
     /// Numbers, then symbols up to the first angle or dotted symbol; or a single fraction or root.
     fn gather(&self, function: Function, head: Span, items: &[Item], start: usize) -> Read<Run> {
         let is_hyperbolic = matches!(function, Function::Sinh | Function::Cosh | Function::Tanh);
-        let mut run =
-            Run { end: start, numbers: 0, symbols: Vec::new(), stands_alone: false, is_rate: false, is_hyperbolic };
+        let mut run = Run {
+            end: start,
+            numbers: 0,
+            symbols: Vec::new(),
+            stands_alone: false,
+            is_rate: false,
+            is_hyperbolic,
+            has_turns: false,
+        };
         while let Some(item) = items.get(run.end) {
             if self.is_leading_number(item, run.end == start) {
+                // `\sin n\pi x`: a whole number of half turns.
+                if is_pi(item) && !run.has_turns && matches!(run.symbols.as_slice(), [(_, n)] if is_whole_number(n)) {
+                    (run.has_turns, run.end) = (true, run.end + 1);
+                    continue;
+                }
                 if !run.symbols.is_empty() {
                     break;
                 }
@@ -280,7 +278,9 @@ impl Reader<'_> {
             }
             _ => false,
         };
-        if is_circular && run.numbers > 0 && run.symbols.is_empty() && items.get(run.end).is_some_and(is_sum) {
+        let is_factor =
+            items.get(run.end).is_some_and(|next| is_sum(next) && !is_whole_argument(&items[start..run.end], next));
+        if is_circular && run.numbers > 0 && run.symbols.is_empty() && is_factor {
             run.end += 1;
             run.stands_alone = true;
         }
@@ -337,8 +337,11 @@ impl Reader<'_> {
     fn is_settled(&self, run: &Run, items: &[Item], start: usize) -> Read<bool> {
         let sure = match run.symbols.as_slice() {
             [] | [_] | [.., (true, _)] => true,
-            // Whatever stands before the time is a factor of it: cos vt, sin nωt.
-            [.., (_, last)] if Some(last) == self.symbols.time.as_ref() => true,
+            // Whatever stands before the time is a factor of it, cos vt, sin nωt; but an angle may end the argument.
+            [.., (_, last)] if Some(last) == self.symbols.time.as_ref() => {
+                let is_angle = matches!(run.symbols.as_slice(), [(_, first), _] if is_no_frequency(first));
+                !(is_angle && (self.symbols.open || self.symbols.guessed))
+            }
             [(_, first), (_, second)] => {
                 let base = first.base.as_str();
                 // A rate times the time, and a wave number times a place.
@@ -358,6 +361,7 @@ impl Reader<'_> {
                 let moves = || self.symbols.find(second).is_some_and(|(id, _)| self.symbols.entry(id).varies);
                 let scales = || is_place && is_number(first) && !is_usual_angle(first) && moves();
                 (is_rate || run.is_hyperbolic) && self.is_instant(second)
+                    || is_whole_number(first) && is_counted(second)
                     || ["k", "q", "\\kappa"].contains(&base) && is_place
                     || scales()
                     || run.is_hyperbolic && Self::ends_the_term(items, run.end)
@@ -373,7 +377,10 @@ impl Reader<'_> {
         // `\sin 2 \cdot \theta`, `\sin\omega\cdot t`: the dot may stand inside of the argument.
         let is_bare_number = run.symbols.is_empty() && !run.stands_alone && !is_numeric_item(&items[start]);
         let dot_follows = next.is_some_and(|item| matches!(joint(item), Some(Joint::CDot | Joint::Times)));
-        let multiplied = dot_follows && (is_bare_number || !run.has_angle() && self.is_time(items.get(run.end + 1)));
+        // `v\cos\theta\cdot t`: an angle that is no frequency has no time as a factor.
+        let ends_with_an_angle = matches!(run.symbols.as_slice(), [(_, only)] if is_no_frequency(only));
+        let before_time = !run.has_angle() && !ends_with_an_angle && self.is_time(items.get(run.end + 1));
+        let multiplied = dot_follows && (is_bare_number || before_time);
         let number_follows = !run.symbols.is_empty()
             && !run.has_angle()
             && next.is_some_and(|item| is_number(item) || self.is_leading_number(item, false));
@@ -449,52 +456,5 @@ impl Reader<'_> {
         let [only] = inside.as_slice() else { return false };
         let printed = names::printed(only, None).filter(|printed| printed.dots == 0 && printed.sup.is_none());
         printed.map(|printed| printed.name) == self.symbols.time
-    }
-}
-
-/// Whether a name is a vector by its markup: bold, with an arrow, or a unit vector along a direction.
-fn is_direction(name: &Name) -> bool {
-    const DIRECTIONS: [&str; 12] = ["i", "j", "k", "x", "y", "z", "r", "e", "n", "\\theta", "\\phi", "\\varphi"];
-    let hat = name.base.strip_prefix("\\hat{").and_then(|base| base.strip_suffix('}'));
-    let is_small = |letter: &str| letter.starts_with(|c: char| c.is_lowercase());
-    let bold = name.base.strip_prefix("\\mathbf{").or_else(|| name.base.strip_prefix("\\vec{"));
-    hat.is_some_and(|letter| DIRECTIONS.contains(&letter)) || bold.is_some_and(is_small)
-}
-
-/// A function without a value of its own, written out: coth is 1/tanh, arsinh x is ln(x + √(x² + 1)).
-pub(super) fn written_out(head: &Item, call: Expr) -> Expr {
-    let Some(word) = head_word(head) else { return call };
-    let span = call.span;
-    let one = || Expr::integer(1, span);
-    if matches!(call.node, Node::Call(Function::Tanh | Function::Cosh | Function::Sinh, _) | Node::Power(..))
-        && reciprocal(&word).is_some()
-    {
-        return Expr::new(Node::Quotient(Box::new(one()), Box::new(call)), span);
-    }
-    let Some(area) = area_function(&word) else { return call };
-    match call.node {
-        Node::Power(base, exponent) => Expr::new(Node::Power(Box::new(written_out(head, *base)), exponent), span),
-        Node::Call(Function::Ln, x) => inverse(area, *x),
-        _ => call,
-    }
-}
-
-/// The inverse of a hyperbolic function.
-fn inverse(area: Function, x: Expr) -> Expr {
-    let span = x.span;
-    let one = || Expr::integer(1, span);
-    let new = |node| Expr::new(node, span);
-    let plus = |expr: Expr| Term { sign: Sign::Plus, sign_span: None, expr };
-    let sum = |a: Expr, b: Expr| new(Node::Sum(vec![plus(a), plus(b)]));
-    let square = || new(Node::Power(Box::new(x.clone()), Box::new(Expr::integer(2, span))));
-    let of = match area {
-        Function::Sinh => sum(x.clone(), new(Node::Root(2, Box::new(sum(square(), one()))))),
-        Function::Cosh => sum(x.clone(), new(Node::Root(2, Box::new(square().minus(one()))))),
-        _ => new(Node::Quotient(Box::new(sum(one(), x.clone())), Box::new(one().minus(x.clone())))),
-    };
-    let logarithm = new(Node::Call(Function::Ln, Box::new(of)));
-    match area {
-        Function::Tanh => new(Node::Quotient(Box::new(logarithm), Box::new(Expr::integer(2, span)))),
-        _ => logarithm,
     }
 }
