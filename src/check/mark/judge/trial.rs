@@ -5,13 +5,13 @@ use crate::formula::derivative::{Scope, partial};
 use crate::formula::tree::Variable;
 use crate::formula::{Expr, Node, Relation, SymbolId};
 use crate::latex::Reading;
-use crate::notes::claims::Claim;
+use crate::notes::claims::{Claim, Range};
 
 use crate::check::mark::carried::numbers;
 use crate::check::mark::motion::{printed, with_rates_taken};
 use crate::check::mark::status::{Status, status};
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
-use crate::check::model::meaning::Meaning;
+use crate::check::model::meaning::{self, Meaning};
 use crate::check::verdict::Verdict;
 
 use super::Judge;
@@ -236,7 +236,13 @@ impl Judge<'_, '_> {
             return false;
         }
         let Some(own) = numbers::links(self.quiet, reading) else { return false };
-        let model = self.quiet.without_system(false).model;
+        let mut model = self.quiet.without_system(false).model;
+        // An exponent in `e^{\lambda t}` may be negative.
+        let tried = self.trials.iter().flat_map(|trial| trial.formula.symbols()).map(|(id, _)| id);
+        for id in tried.filter(|id| self.is_own(*id)) {
+            model.mean(id, Meaning::Constant(model.constants.len()));
+            model.constants.push(meaning::Variable::number(id, Range::Any));
+        }
         let moves = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
         let symbols = |link: &Link| [link.lhs.symbols(), link.rhs.symbols()].concat();
         if own.iter().flat_map(symbols).any(|(id, _)| moves(id)) {
