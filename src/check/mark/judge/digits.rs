@@ -58,7 +58,8 @@ impl Judge<'_, '_> {
         if !self.known.has_numbers() && self.world.has_other_letters() && !has_number {
             return false;
         }
-        let known = self.known_with_the_problem();
+        // Two formulas may agree by chance with the data of the problem.
+        let known = if has_digits(reading) { self.known_with_the_problem() } else { self.known.or(&self.printed) };
         let text = &self.quiet.notes.equations[display].text;
         known.fits(self.quiet, text, reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
     }
@@ -112,6 +113,16 @@ impl Judge<'_, '_> {
     pub(super) fn known_with_the_problem(&self) -> Known {
         self.known.or(&self.data).or(&self.printed)
     }
+}
+
+/// Whether a number of at least two digits stands in a reading, or a member of it is a number.
+fn has_digits(reading: &Reading) -> bool {
+    let mut found = false;
+    for member in reading.statements.iter().flatten().flat_map(|statement| &statement.members) {
+        found |= member.symbols().is_empty() && !member.is_null();
+        member.walk(&mut |part| found |= part.as_digits().is_some_and(|digits| digits.len() > 1));
+    }
+    found
 }
 
 /// What the problem prints, and what its claims file says that a name stands for.

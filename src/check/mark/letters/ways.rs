@@ -50,11 +50,11 @@ pub(in crate::check::mark) fn best(
     functions::of_constants(&mut lines, &problem.names, &mut instants);
     single_letters::instants(&mut lines, &problem.names, &macros);
     single_letters::charges(&mut lines, &problem.names);
+    slopes::by_constants(&mut lines, &problem.names);
     single_letters::lengths(&mut lines, &problem.names);
     groups::with_rates(&mut lines);
     energies::kinetic(&mut lines, &problem.names, &macros);
     slashes::with_products(&mut lines);
-    slopes::by_constants(&mut lines, &problem.names);
     let used = usages(notes, &lines, &macros);
     let known = &problem.names;
     let declared = declared(problem, &used);
@@ -112,13 +112,13 @@ pub(in crate::check::mark) fn best(
     }
     let mut judged = judge(run, &world(&best, run)?)?;
     if with_slips::says_nothing(known, &best, &names, &judged) {
+        let plain = judged.lines.iter().map(counted).collect::<Vec<_>>();
+        let mut most = None;
         for way in ways_with_slips(problem, (&lines, &macros), &used, &declared) {
-            let other = world(&way, run).and_then(|world| judge(run, &world));
-            if let Ok(other) = other
-                && with_slips::is_better(&judged, &other)
-            {
-                (judged, best) = (other, way);
-                break;
+            let Ok(other) = world(&way, run).and_then(|world| judge(run, &world)) else { continue };
+            let sound = with_slips::sound(&plain, &other);
+            if sound > most {
+                (judged, best, most) = (other, way, sound);
             }
         }
     }
@@ -136,8 +136,15 @@ fn ways_with_slips(
     let is_own = |name: &Name| used.iter().any(|usage| usage.name == *name && is_own(usage, used, known, declared));
     let is_free = |name: &Name| used.iter().all(|usage| usage.name != *name);
     let tables = matching::tables((problem, Likeness::ButForSlips), (lines, macros), is_own, is_free);
-    tables.into_iter().map(|table| declared.clone().into_iter().chain(table).collect()).collect()
+    let with_declared = |table: Letters| declared.clone().into_iter().chain(table).collect::<Letters>();
+    let tables = tables.into_iter().map(with_declared).take(TABLES);
+    // The lines that have no form of the problem may have further letters.
+    tables.flat_map(|table| ways(used, known, &table).into_iter().take(WAYS_BESIDE_A_SLIP).chain([table])).collect()
 }
+
+/// The most tables of letters by a line with a slip that are tried, and the ways that are tried beside each.
+const TABLES: usize = 3;
+const WAYS_BESIDE_A_SLIP: usize = 2;
 
 /// Whether letters are no better than those with which a line is one of the problem: they make nothing more true, and take lines for
 /// definitions, of which at least as many are true as false.

@@ -17,11 +17,13 @@ pub(super) fn says_nothing(known: &Names, table: &Letters, names: &[Vec<Usage>],
     judged.reached() == 0 && lines.all(|(line, names)| counted(line) != Mark::Right || names.iter().any(is_own))
 }
 
-/// Whether a hand-in with letters that make a line one of the problem with a slip has a wrong line, and most of its lines are right, or
-/// follow from it. `plain` is the hand-in without these letters.
-pub(super) fn is_better(plain: &Judged, judged: &Judged) -> bool {
-    let count = |judged: &Judged, marks: &[Mark]| judged.lines.iter().filter(|line| marks.contains(&line.mark)).count();
-    let (wrong, open) = (count(judged, &[Mark::Wrong]), [Mark::Open, Mark::Unread]);
+/// How many lines are right or follow from a wrong one, with letters that make a line one of the problem with a slip; `None`, if no line is
+/// wrong, or if most lines are. `plain` are the marks without these letters.
+pub(super) fn sound(plain: &[Mark], judged: &Judged) -> Option<usize> {
+    let count = |marks: &[Mark]| judged.lines.iter().filter(|line| marks.contains(&line.mark)).count();
+    let wrong = count(&[Mark::Wrong]);
+    let is_open = |mark: &&Mark| matches!(mark, Mark::Open | Mark::Unread);
     let is_mostly_sound = wrong <= 1 || 2 * wrong <= judged.lines.len();
-    wrong > 0 && is_mostly_sound && count(judged, &open) <= count(plain, &open)
+    let is_decided = count(&[Mark::Open, Mark::Unread]) <= plain.iter().filter(is_open).count();
+    (wrong > 0 && is_mostly_sound && is_decided).then(|| count(&[Mark::Right, Mark::Carried]))
 }

@@ -57,6 +57,12 @@ impl Goal {
             // What stands between them is a way to the result.
             symbols.extend([first, last].into_iter().flat_map(Expr::symbols));
         }
+        // What a length of the student's own would be if it were negative decides on no result.
+        for id in world.declared.iter().filter_map(|name| Some(checker.model.symbols.find(name)?.0)) {
+            if matches!(model.meaning(id), Some(Meaning::Constant(_))) {
+                free(&mut model, id, Range::Positive);
+            }
+        }
         let none = Claim::default();
         let claim = checker.assigned[wanted.display].unwrap_or(&none);
         // What holds at the start alone says nothing of a result that starts there.
@@ -107,7 +113,7 @@ impl Goal {
 
     /// The same for one of the statements of the result.
     pub fn part(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading, part: usize) -> Option<usize> {
-        let all = links(checker, reading);
+        let all = links(checker, &with_equalities(reading));
         let all: Vec<(usize, &Link)> =
             all.iter().filter_map(|link| Some((self.own_names(checker, world, link)?, link))).collect();
         let wanted = self.links.get(part)?;
@@ -207,7 +213,10 @@ impl Goal {
             let name = &checker.model.symbols.entry(id).name;
             world.problem.special.kept().any(|(_, place)| place == name)
         };
+        let is_own = |id: SymbolId| world.declared.contains(&checker.model.symbols.entry(id).name);
         let is_known = |id: SymbolId| match checker.model.meaning(id) {
+            // A line that defines a quantity of the student's own reaches a result if another line gives the quantity.
+            _ if is_own(id) && lines[own_line].mark == Mark::Given => (0..lines.len()).any(|at| gives(id, at)),
             Some(Meaning::Defined(_)) => (0..lines.len()).any(|at| gives(id, at)),
             _ if is_place(id) => (0..lines.len()).any(|at| gives(id, at)),
             _ => true,
@@ -399,6 +408,17 @@ impl Goal {
 
 /// The most quantities of which right lines say what they are, so that two forms are the same.
 const MOST_KNOWN: usize = 3;
+
+/// A reading in which each ≥ and ≤ is an equality: `\mu \ge \frac fN = \frac27 \tan\alpha` says what the least μ is.
+fn with_equalities(reading: &Reading) -> Reading {
+    let mut new = reading.clone();
+    for relation in new.statements.iter_mut().flatten().flat_map(|statement| &mut statement.relations) {
+        if matches!(relation.0, Relation::GreaterEqual | Relation::LessEqual) {
+            relation.0 = Relation::Equal;
+        }
+    }
+    new
+}
 
 /// Whether a link says what a law of the problem says, whatever the definitions of the problem say.
 fn says_a_law(checker: &Checker<'_>, world: &World<'_>, own: &Link) -> bool {
