@@ -71,3 +71,21 @@ fn an_equation_of_motion_with_a_slip_in_other_letters_is_wrong() {
     assert_eq!(of("right", "\\ddot\\beta = -\\frac gh \\sin\\beta"), ["right"]);
     assert_ne!(of("other", "\\ddot u = a^2 u - w"), ["right"]);
 }
+
+#[test]
+fn a_law_in_other_letters_gives_away_a_slip_in_another_line() {
+    let impact = (
+        "$$ m v = (m + M) V \\tag{1} $$\n\n$$ V = \\frac{m v}{m + M} \\tag{2} $$\n\n$$ \\frac12 (m + M) V^2 = (m + M) g h \\tag{3} $$\n\n\
+         $$ h = \\frac{m^2 v^2}{2 g (m + M)^2} \\tag{4} $$\n",
+        r#"{ "notes": "p.md", "constants": { "m, M, g, v, V, h": "> 0" }, "laws": { "momentum": "1", "energy": "3" },
+            "rubric": { "results": { "2": 1, "4": 2 } } }"#,
+    );
+    let lines = |sum: &str| {
+        format!(
+            "$$ a u = ({sum}) w $$\n\n$$ w = \\frac{{a u}}{{{sum}}} $$\n\n$$ \\frac12 (a + b) w^2 = (a + b) g y $$\n\n\
+             $$ y = \\frac{{a^2 u^2}}{{2 g ({sum})^2}} $$\n"
+        )
+    };
+    assert_eq!(marks("slip", impact, &lines("a - b")), ["wrong", "carried", "given", "carried"]);
+    assert_eq!(marks("right", impact, &lines("a + b")), ["given", "right", "given", "right"]);
+}

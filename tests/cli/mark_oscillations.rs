@@ -73,7 +73,8 @@ fn a_line_holds_in_the_limit_that_its_sentence_names() {
     // The twins: another factor, another limit, and another sentence.
     assert_eq!(of("factor", "M \\to \\infty", "\\ddot s = 2 g \\sin\\alpha"), "wrong");
     assert_eq!(of("other", "m \\to \\infty", "\\ddot s = g \\sin\\alpha"), "wrong");
-    assert_eq!(of("apart", "M \\to \\infty$. In general $", "\\ddot s = g \\sin\\alpha"), "wrong");
+    let apart = "The wedge rests for $M \\to \\infty$. In general $\\ddot s = g \\sin\\alpha$.\n";
+    assert_eq!(marks("apart", WEDGE, apart), ["wrong"]);
 }
 
 #[test]

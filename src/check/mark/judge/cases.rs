@@ -137,6 +137,11 @@ impl Judge<'_, '_> {
             Node::Symbol { id, dots: 0, .. } => self.instants.iter().find(|(known, _)| known == id)?.1.clone(),
             _ => None,
         };
+        // What a line says of a quantity counts for more than a value that a later line gives it.
+        let is_defined = |id: SymbolId| matches!(self.quiet.model.meaning(id), Some(Meaning::Defined(_)));
+        for implied in self.implied.iter().filter(|implied| is_defined(implied.symbol())) {
+            reading = implied.applied(reading);
+        }
         for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
             if self.quiet.model.depends_on(member, &known) {
                 *member = given::expanded(self.quiet, of_problem, member.clone());

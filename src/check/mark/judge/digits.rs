@@ -64,6 +64,12 @@ impl Judge<'_, '_> {
         known.fits(self.quiet, text, reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
     }
 
+    /// Whether the numbers that are known give the left side of a statement its value: `\frac{d_1}{k_1} = 0.4` is then no condition.
+    pub(super) fn is_determined(&self, statement: &Statement) -> bool {
+        let known = self.known_with_the_problem();
+        statement.members.first().is_some_and(|formula| known.determines(self.quiet, formula))
+    }
+
     /// The quantities of which a value is missing, for a line that gives a number where numbers were put in, or a measured number.
     pub(super) fn missing_values(&self, display: usize, reading: &Reading) -> Vec<String> {
         let is_measured = foreign::has_a_measured_number(&self.world.written[display - self.world.first].text);

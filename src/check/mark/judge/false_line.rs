@@ -109,7 +109,7 @@ impl Judge<'_, '_> {
         }
         let is_ratio = written.continues.is_none()
             && !statements.is_empty()
-            && statements.iter().all(|statement| self.is_ratio_of_data(statement));
+            && statements.iter().all(|statement| self.is_ratio_of_data(statement) && !self.is_determined(statement));
         let is_case = written.is_if || written.is_example;
         let is_condition = is_case && statements.iter().all(|statement| self.relates_constants(statement))
             || is_ratio && self.stands_beside_a_value(at);
@@ -186,6 +186,9 @@ impl Judge<'_, '_> {
         if self.ends_in_a_condition(at, reading) {
             self.add_condition(at);
             return Ok(Some(right("follows from the problem, and its last member is a condition")));
+        }
+        if self.is_condition_of_an_extremum(at, reading) {
+            return Ok(Some(given("is the condition for an extremum")));
         }
         if energies::has_another_zero(self.quiet, display, reading) {
             return Ok(Some(right("is correct up to a constant, so only the zero of the potential energy differs")));

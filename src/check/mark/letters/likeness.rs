@@ -1,7 +1,7 @@
 //! Whether two equalities are the same but for their letters, exactly or but for slips.
 //!
-//! A slip changes a sign, a number, a power, a dot, or one of sine, cosine and tangent. So much may differ that only a hand-in in which nothing else
-//! says what its letters are is compared in this way.
+//! A slip changes a sign, a number, a power, a dot, or one of sine, cosine and tangent. So much may differ that only a hand-in in which
+//! nothing else says what its letters are is compared in this way.
 
 use crate::formula::{Expr, Function, Node, Sign, SymbolId};
 use crate::source::Span;
@@ -34,12 +34,13 @@ pub(super) fn is_rearranged(likeness: Likeness, line: &Sides, display: &Sides, p
 }
 
 /// Whether an equality has so many terms and letters that another one is like it by chance only rarely: three terms, of which one is no
-/// letter alone, as in `E = T + V`; or a rate and at least three letters, as an equation of motion has.
+/// letter alone, as in `E = T + V`; a rate and at least three letters, as an equation of motion has; or five letters.
 pub(super) fn is_rich(line: &Sides) -> bool {
     let all = terms(line);
     let has_rate = [&line.0, &line.1].iter().any(|side| side.symbols().iter().any(|(_, dots)| *dots > 0));
     all.len() >= FEWEST_TERMS && all.iter().any(|(_, term)| term.as_plain_symbol().is_none())
         || has_rate && letters(line) >= FEWEST_BESIDE_A_RATE
+        || letters(line) >= FEWEST_LETTERS
 }
 
 /// The fewest letters of an equality with a rate that is recognised with a slip.
@@ -73,6 +74,7 @@ fn terms<'e>((left, right): &'e (Expr, Expr)) -> Vec<(Sign, &'e Expr)> {
 /// one, as in `pairs`, to which new ones are added.
 pub(super) fn is_alike(likeness: Likeness, left: &Expr, right: &Expr, pairs: &mut Pairs) -> bool {
     let may_slip = likeness == Likeness::ButForSlips;
+    let [left, right] = if may_slip { [left, right].map(without_sign) } else { [left, right] };
     let start = pairs.len();
     let is_it = match (&left.node, &right.node) {
         (Node::Symbol { id: a, indices: none, dots }, Node::Symbol { id: b, indices: empty, dots: other }) => {
@@ -162,6 +164,14 @@ pub(in crate::check::mark) fn head(formula: &Expr) -> Node {
     let mut head = formula.clone();
     head.children_mut().into_iter().for_each(|child| *child = Expr::integer(0, Span::default()));
     head.node
+}
+
+/// A formula without a sign before all of it.
+fn without_sign(formula: &Expr) -> &Expr {
+    match &formula.node {
+        Node::Sum(terms) if terms.len() == 1 => &terms[0].expr,
+        _ => formula,
+    }
 }
 
 fn is_product(formula: &Expr) -> bool {

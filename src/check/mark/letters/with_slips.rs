@@ -4,17 +4,17 @@
 //! \cos\theta - F` defines F. So these letters count only where the hand-in says nothing in the letters of the problem, and where most of
 //! its lines are no further mistakes with them.
 
-use crate::check::mark::judged::{Judged, counted};
+use crate::check::mark::judged::Judged;
 use crate::check::mark::marked::Mark;
 use crate::check::mark::names::{Letters, Names};
 use crate::check::usage::Usage;
 
-/// Whether a hand-in reaches no result, and each of its true lines has a letter that stands for nothing in the problem. `names` are
-/// those in each line.
+/// Whether a hand-in reaches no result, and each of its true lines that is no law has a letter that stands for nothing in the problem.
+/// `names` are those in each line.
 pub(super) fn says_nothing(known: &Names, table: &Letters, names: &[Vec<Usage>], judged: &Judged) -> bool {
     let is_own = |usage: &Usage| known.symbols.find(&usage.name).is_none() && !table.contains_key(&usage.name);
     let mut lines = judged.lines.iter().zip(names);
-    judged.reached() == 0 && lines.all(|(line, names)| counted(line) != Mark::Right || names.iter().any(is_own))
+    judged.reached() == 0 && lines.all(|(line, names)| line.mark != Mark::Right || names.iter().any(is_own))
 }
 
 /// How many lines are right or follow from a wrong one, with letters that make a line one of the problem with a slip; `None`, if no line is

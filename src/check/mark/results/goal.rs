@@ -17,7 +17,6 @@ use crate::check::model::meaning::{Meaning, Variable};
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::Context;
 use crate::check::vacuity::restatement;
-use crate::check::verdict::Verdict;
 
 /// A wanted result, and the model in which lines are compared with it.
 pub(super) struct Goal {
@@ -113,7 +112,7 @@ impl Goal {
 
     /// The same for one of the statements of the result.
     pub fn part(&self, checker: &Checker<'_>, world: &World<'_>, reading: &Reading, part: usize) -> Option<usize> {
-        let all = links(checker, &with_equalities(reading));
+        let all = links(checker, reading);
         let all: Vec<(usize, &Link)> =
             all.iter().filter_map(|link| Some((self.own_names(checker, world, link)?, link))).collect();
         let wanted = self.links.get(part)?;
@@ -199,21 +198,20 @@ impl Goal {
         (own_line, reading): (usize, &Reading),
         lines: &[Line],
     ) -> bool {
+        let is_own = |id: SymbolId| world.problem.names.symbols.find(&checker.model.symbols.entry(id).name).is_none();
         // A line does not say by itself what its other quantities are.
         let gives = |id: SymbolId, at: usize| {
             if at == own_line {
                 return false;
             }
             let own = links(checker, &checker.readings[world.first + at]);
-            let defines = lines[at].mark == Mark::Given && lines[at].verdict == Some(Verdict::Definition);
-            (lines[at].mark == Mark::Right || defines)
+            (lines[at].mark == Mark::Right || lines[at].mark == Mark::Given && is_own(id))
                 && own.iter().any(|link| [&link.lhs, &link.rhs].into_iter().any(|side| is_power_of(side, id)))
         };
         let is_place = |id: SymbolId| {
             let name = &checker.model.symbols.entry(id).name;
             world.problem.special.kept().any(|(_, place)| place == name)
         };
-        let is_own = |id: SymbolId| world.declared.contains(&checker.model.symbols.entry(id).name);
         let is_known = |id: SymbolId| match checker.model.meaning(id) {
             // A line that defines a quantity of the student's own reaches a result if another line gives the quantity.
             _ if is_own(id) && lines[own_line].mark == Mark::Given => (0..lines.len()).any(|at| gives(id, at)),
@@ -234,13 +232,16 @@ impl Goal {
             .filter(|symbol| !self.symbols.contains(symbol))
             .map(|(id, _)| id)
             .collect();
-        let given = (0..lines.len()).filter(|at| *at != own_line && lines[*at].mark == Mark::Right).flat_map(|at| {
+        let is_true = |at: &usize| *at != own_line && matches!(lines[*at].mark, Mark::Right | Mark::Given);
+        let given = (0..lines.len()).filter(is_true).flat_map(|at| {
             let all = links(checker, &checker.readings[world.first + at]).into_iter();
+            let is_right = lines[at].mark == Mark::Right;
             let gives = |link: &Link| {
                 let names = link.lhs.symbols();
-                names.iter().any(|(id, _)| (is_place(*id) || others.contains(id)) && is_power_of(&link.lhs, *id))
+                let is_it = |id: SymbolId| (is_place(id) || others.contains(&id)) && (is_right || is_own(id));
+                names.iter().any(|(id, _)| is_it(*id) && is_power_of(&link.lhs, *id))
             };
-            all.filter(gives)
+            all.filter(gives).collect::<Vec<_>>()
         });
         let mut known: Vec<Link> = Vec::new();
         given.for_each(|link| {
@@ -408,17 +409,6 @@ impl Goal {
 
 /// The most quantities of which right lines say what they are, so that two forms are the same.
 const MOST_KNOWN: usize = 3;
-
-/// A reading in which each ≥ and ≤ is an equality: `\mu \ge \frac fN = \frac27 \tan\alpha` says what the least μ is.
-fn with_equalities(reading: &Reading) -> Reading {
-    let mut new = reading.clone();
-    for relation in new.statements.iter_mut().flatten().flat_map(|statement| &mut statement.relations) {
-        if matches!(relation.0, Relation::GreaterEqual | Relation::LessEqual) {
-            relation.0 = Relation::Equal;
-        }
-    }
-    new
-}
 
 /// Whether a link says what a law of the problem says, whatever the definitions of the problem say.
 fn says_a_law(checker: &Checker<'_>, world: &World<'_>, own: &Link) -> bool {

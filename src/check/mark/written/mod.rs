@@ -1,8 +1,8 @@
 //! The lines of a hand-in: the statements of its displays, the rows of its chains, and the equations in its text.
 //!
 //! Offers `written`, the lines ([`Written`]) in their order, and what `accelerations`, `energies`, `functions`,
-//! `groups`, `instants`, `signs`, `single_letters`, `slashes`, `slopes` and
-//! `units` change in them before they are read. Knows `usage`, and LaTeX and notes.
+//! `groups`, `instants`, `signs`, `single_letters`, `slashes`, `slopes` and `units` change in them before they are read. Knows `usage`,
+//! and LaTeX and notes.
 
 pub(super) mod accelerations;
 pub(super) mod energies;
