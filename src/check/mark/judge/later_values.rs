@@ -7,9 +7,11 @@
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId};
 use crate::latex::Reading;
 use crate::notes::claims::Claim;
+use crate::source::Span;
 
 use crate::check::mark::given::{self, Implied};
 use crate::check::mark::marked::{Line, Mark};
+use crate::check::mark::names::moving;
 use crate::check::mark::status::{Status, status};
 use crate::check::model::claim::is_equality;
 use crate::check::verdict::Verdict;
@@ -28,8 +30,13 @@ impl Judge<'_, '_> {
             .flat_map(|reading| reading.introduced.iter().map(|new| new.symbol))
             .collect();
         let members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
-        let mut names: Vec<SymbolId> =
-            members.flat_map(Expr::symbols).map(|(id, _)| id).filter(|id| later.contains(id)).collect();
+        // A quantity that changes, as S in `S = m_1 (g - \ddot x)`, is no constant.
+        let moving = moving(self.quiet.model);
+        let is_constant = |id: &SymbolId| {
+            let name = Expr::new(Node::Symbol { id: *id, indices: Vec::new(), dots: 0 }, Span::default());
+            later.contains(id) && !self.quiet.model.depends_on(&name, &moving)
+        };
+        let mut names: Vec<SymbolId> = members.flat_map(Expr::symbols).map(|(id, _)| id).filter(is_constant).collect();
         names.sort_unstable();
         names.dedup();
         names.truncate(MOST);
