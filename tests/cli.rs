@@ -33,8 +33,14 @@ mod mark_cases;
 mod mark_classes;
 #[path = "cli/mark_conditions.rs"]
 mod mark_conditions;
+#[path = "cli/mark_credit.rs"]
+mod mark_credit;
 #[path = "cli/mark_extrema.rs"]
 mod mark_extrema;
+#[path = "cli/mark_foreign_letters.rs"]
+mod mark_foreign_letters;
+#[path = "cli/mark_later_values.rs"]
+mod mark_later_values;
 #[path = "cli/mark_letters.rs"]
 mod mark_letters;
 #[path = "cli/mark_meanings.rs"]
@@ -43,6 +49,8 @@ mod mark_meanings;
 mod mark_motion;
 #[path = "cli/mark_numbers.rs"]
 mod mark_numbers;
+#[path = "cli/mark_oscillations.rs"]
+mod mark_oscillations;
 #[path = "cli/mark_own_letters.rs"]
 mod mark_own_letters;
 #[path = "cli/mark_problems.rs"]

@@ -82,3 +82,21 @@ fn a_letter_of_a_period_may_be_a_kinetic_energy() {
     // The twin: another period.
     assert_eq!(marks("energy-false", problem, "$$ T = \\pi \\sqrt{\\frac{m}{k}} $$\n"), ["wrong"]);
 }
+
+#[test]
+fn a_slope_by_a_constant_is_a_partial_derivative_and_may_be_set_to_0() {
+    let range = (
+        "$$ R = \\frac{v_0^2 \\sin 2\\alpha}{g} \\tag{1} $$\n",
+        r#"{ "notes": "p.md", "constants": { "v_0, g": "> 0", "\\alpha": "(0, \\pi/2)" }, "rubric": { "results": { "1": 1 } } }"#,
+    );
+    let of = |name: &str, line: &str| {
+        marks(name, range, &format!("$$ R = \\frac{{v_0^2 \\sin 2\\alpha}}{{g}} $$\n\n$$ {line} $$\n")).pop().unwrap()
+    };
+    let slope = "\\frac{dR}{d\\alpha} = \\frac{2 v_0^2 \\cos 2\\alpha}{g}";
+    assert_eq!(of("slope", slope), "right");
+    assert_eq!(of("chain", &format!("{slope} = 0")), "right");
+    assert_eq!(of("condition", "\\frac{dR}{d\\alpha} = 0"), "given");
+    // The twins: a lost factor, alone and with the condition.
+    assert_eq!(of("slope-slip", &slope.replace("2 v_0", "v_0")), "wrong");
+    assert_eq!(of("chain-slip", &format!("{} = 0", slope.replace("2 v_0", "v_0"))), "wrong");
+}

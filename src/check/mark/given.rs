@@ -260,6 +260,16 @@ impl Implied {
         })
     }
 
+    /// What a reading says of one quantity, if it is an equality of two members that is linear in it.
+    pub fn of(checker: &Checker<'_>, id: SymbolId, reading: &Reading) -> Option<Implied> {
+        let [Ok(statement)] = reading.statements.as_slice() else { return None };
+        let ([left, right], [(relation, _)]) = (statement.members.as_slice(), statement.relations.as_slice()) else {
+            return None;
+        };
+        let difference = left.clone().minus(right.clone());
+        if is_equality(*relation) { solved(checker, &difference, (id, 0)) } else { None }
+    }
+
     /// The quantity.
     pub fn symbol(&self) -> SymbolId {
         self.id
@@ -280,8 +290,9 @@ impl Implied {
         self.dots == 0 && model.depends_on(&self.value, symbols)
     }
 
-    /// A reading with the value in the place of the quantity.
+    /// A reading with the value in the place of the quantity, which it no longer defines then.
     pub fn applied(&self, mut reading: Reading) -> Reading {
+        reading.introduced.retain(|new| self.dots > 0 || new.symbol != self.id);
         let other = |node: &Node| match node {
             Node::Symbol { id, dots, .. } if *id == self.id && *dots >= self.dots => {
                 Some(rate_of(&self.value, dots - self.dots))

@@ -142,6 +142,8 @@ pub(super) struct World<'p> {
     pub declared: Vec<Name>,
     /// The values at instants, with the letters of the problem.
     pub instants: Vec<Instant>,
+    /// The limits that the sentences of the lines name, with the letters of the problem.
+    pub limits: Vec<Option<String>>,
     /// The names to which the hand-in gives several values.
     several: Vec<Name>,
     lines: Vec<(usize, Renamed)>,
@@ -201,7 +203,9 @@ impl<'p> World<'p> {
         let claims = problem.claims.clone();
         let back = table.iter().map(|(own, other)| (other.clone(), own.clone())).collect();
         let instants = instants.iter().map(|instant| in_letters_of_problem(instant, &macros, table));
+        let limit = |line: &Written| line.limit.as_ref().map(|limit| renamed(limit, &macros, table).text);
         let mut world = World {
+            limits: written.iter().map(limit).collect(),
             problem,
             written,
             claims,

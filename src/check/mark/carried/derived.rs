@@ -62,6 +62,34 @@ pub(super) fn motion_written_out(checker: &Checker<'_>, from: usize) -> Option<R
     Some(Reading { statements: vec![Ok(statement)], introduced: Vec::new() })
 }
 
+/// The equation of motion that follows from a false momentum: `\frac{\partial L}{\partial\dot s} = …`, of which the rate is the true slope.
+pub(super) fn motion_by_a_momentum(checker: &Checker<'_>, from: usize) -> Option<Reading> {
+    let [Ok(statement)] = checker.readings[from].statements.as_slice() else { return None };
+    let (of, by) = momentum(&checker.notes.equations[from].text)?;
+    let symbols = &checker.model.symbols;
+    let find = |name: &str| Some(symbols.find(&names::parse(name)?.0)?.0);
+    let (of, by) = (find(of)?, find(by)?);
+    let (scope, span) = (Scope { symbols, fixed: &[] }, statement.span);
+    let lagrangian = Expr::new(Node::Symbol { id: of, indices: Vec::new(), dots: 0 }, span);
+    let slope = partial(&lagrangian, &Variable { id: by, indices: Vec::new(), dots: 0 }, scope, span).ok()?;
+    let members = vec![rate(statement.members.last()?, scope, span).ok()?, slope];
+    let statement = Statement { members, relations: statement.relations[..1].to_vec(), ..statement.clone() };
+    Some(Reading { statements: vec![Ok(statement)], introduced: Vec::new() })
+}
+
+/// The names in the momentum that a text gives: `L` and `s` in `\frac{\partial L}{\partial\dot s} = …`.
+fn momentum(text: &str) -> Option<(&str, &str)> {
+    let rest = text.trim_start().strip_prefix("\\frac{\\partial")?;
+    let (of, rest) = rest.split_once("}{\\partial")?;
+    let rest = rest.trim_start().strip_prefix("\\dot")?;
+    let (by, rest) = match rest.strip_prefix('{') {
+        Some(inside) => inside.split_once('}').map(|(by, rest)| (by, rest.strip_prefix('}').unwrap_or_default()))?,
+        None => rest.split_once('}')?,
+    };
+    let is_name = |text: &str| text.len() < 40 && !text.contains(['=', '{', '}']);
+    (rest.trim_start().starts_with('=') && is_name(of) && is_name(by)).then(|| (of.trim(), by.trim()))
+}
+
 /// The names in the slope of a function that a text gives, and its value: `L`, `\theta` and what is right of the last =.
 fn slope(text: &str) -> Option<(&str, &str, &str)> {
     let rest = text.trim_start().strip_prefix("\\frac{\\partial")?;

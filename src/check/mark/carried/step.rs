@@ -89,6 +89,13 @@ impl<'s, 'c> Step<'s, 'c> {
         let (wrong, sound) = (&self.wrong, &self.sound);
         let mut sets = vec![premises(wrong), premises(&self.rates)];
         sets.extend(sound.iter().chain(&self.laws).map(|one| premises(wrong.iter().chain(one))));
+        // A false line may take the place of a law: with `J = \frac12 m R^2` all others hold.
+        let name = |links: &[Link]| links.first().and_then(|link| link.lhs.as_plain_symbol());
+        let is_other = |law: &&Vec<Link>| name(law).is_none() || name(law) != name(wrong);
+        let others: Vec<&Vec<Link>> = self.laws.iter().filter(is_other).collect();
+        if others.len() > 1 {
+            sets.push(premises(wrong.iter().chain(others.into_iter().flatten())));
+        }
         sets.extend(self.derived.iter().map(premises));
         if sound.len() > 1 {
             sets.push(premises(wrong.iter().chain(sound.iter().flatten())));
@@ -180,6 +187,7 @@ fn consequences(checker: &Checker<'_>, from: usize, own: &Reading, before: &Befo
     let mut found = derived::insertions(checker, wrong, &nearest);
     found.extend(derived::insertions(checker, wrong, before.laws));
     found.extend(derived::motion_written_out(checker, from));
+    found.extend(derived::motion_by_a_momentum(checker, from));
     let given = |at: &usize| {
         checker.readings[*at].statements.iter().flatten().find_map(|s| s.members.first()?.as_plain_symbol())
     };

@@ -9,16 +9,16 @@ use crate::check::document::checker::Checker;
 use crate::check::kinds::solution::is_an_orbit;
 use crate::check::mark::carried::numbers;
 use crate::check::mark::given::{self, Implied};
-use crate::check::mark::marked::{Line, Mark};
+use crate::check::mark::marked::{Because, Line, Mark};
 use crate::check::mark::motion::{Along, printed};
 use crate::check::mark::names::moving;
 use crate::check::mark::slip;
-use crate::check::mark::status::{Status, stated, status};
+use crate::check::mark::status::{Status, approximate, stated, status};
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
 use crate::check::verdict::Verdict;
 
-use super::Judge;
+use super::{Condition, Judge, supposed};
 
 /// The lines behind a line that may say what a quantity in it is.
 const LATER: usize = 3;
@@ -27,6 +27,63 @@ const LATER: usize = 3;
 const CASES: usize = 3;
 
 impl Judge<'_, '_> {
+    /// What a line is under conditions, all of them or the last one, if it holds there.
+    pub(super) fn under_conditions(
+        &self,
+        checker: &Checker<'_>,
+        (display, reading): (usize, &Reading),
+        conditions: &[Condition],
+    ) -> Option<(Status, Option<Because>)> {
+        let (text, name) = conditions.last()?;
+        let spanned = |text: &String| Spanned::new(text.clone(), Span::default());
+        let all: Vec<Spanned<String>> = conditions.iter().map(|(text, _)| spanned(text)).collect();
+        // Conditions for different instants contradict each other.
+        let last = (all.len() > 1).then(|| vec![spanned(text)]);
+        [Some(all), last].into_iter().flatten().find_map(|assume| {
+            let claim = Claim { assume, ..Claim::default() };
+            let holds = |reading: &Reading| {
+                self.holds_under(checker, display, reading, &claim)
+                    || self.along(checker, display, reading, &claim) == Along::True
+            };
+            // In equilibrium all terms of an equation of motion may be 0, and it says nothing.
+            if !holds(reading) || self.details && supposed::says_nothing(reading, holds) {
+                return None;
+            }
+            let unsaid = self.unsaid.last().filter(|unsaid| claim.assume.len() > 1 || *unsaid == name);
+            Some(match unsaid {
+                Some(unsaid) => {
+                    let why = format!("holds under the condition of {unsaid}, and no word says that it is a condition");
+                    (Status::Open(Verdict::Undecided, why), None)
+                }
+                None => {
+                    let why = format!("follows under the condition of {name}");
+                    (Status::Holds(Verdict::Verified), Some(why.into()))
+                }
+            })
+        })
+    }
+
+    /// The limit that the sentence of a line names, if the line holds there: "for $M \to \infty$ it is $\ddot s = g\sin\alpha$".
+    pub(super) fn limit_in_which_it_holds(&self, display: usize, reading: &Reading) -> Option<String> {
+        let at = display - self.world.first;
+        let limit = self.world.limits[at].as_ref().filter(|_| self.details)?;
+        let limit = Some(Spanned::new(limit.clone(), Span::default()));
+        let claim = Claim { limit, ..Claim::default() };
+        let holds = matches!(status(self.quiet, display, &approximate(reading), &claim), Status::Holds(_));
+        holds.then(|| self.world.written[at].limit.clone()).flatten()
+    }
+
+    /// The conditions that say nothing of a state, and so hold at all times: `m_1 = m_2`.
+    fn lasting(&self) -> Vec<Condition> {
+        let moving = moving(self.quiet.model);
+        let lasts = |(text, _): &&Condition| {
+            let reading = self.quiet.as_printed(text, &Claim::default(), &self.quiet.model.macros);
+            let mut members = reading.statements.iter().flatten().flat_map(|statement| &statement.members);
+            !members.any(|member| self.quiet.model.depends_on(member, &moving))
+        };
+        self.conditions.iter().filter(lasts).cloned().collect()
+    }
+
     /// Whether the last condition holds where a line holds, so that the line is one of the cases that it leaves.
     pub(super) fn is_a_case(&self, display: usize, reading: &Reading) -> bool {
         let Some((condition, _)) = self.conditions.last() else { return false };
@@ -80,6 +137,11 @@ impl Judge<'_, '_> {
             Node::Symbol { id, dots: 0, .. } => self.instants.iter().find(|(known, _)| known == id)?.1.clone(),
             _ => None,
         };
+        // What a line says of a quantity counts for more than a value that a later line gives it.
+        let is_defined = |id: SymbolId| matches!(self.quiet.model.meaning(id), Some(Meaning::Defined(_)));
+        for implied in self.implied.iter().filter(|implied| is_defined(implied.symbol())) {
+            reading = implied.applied(reading);
+        }
         for member in reading.statements.iter_mut().flatten().flat_map(|statement| &mut statement.members) {
             if self.quiet.model.depends_on(member, &known) {
                 *member = given::expanded(self.quiet, of_problem, member.clone());
@@ -110,7 +172,9 @@ impl Judge<'_, '_> {
     /// Whether a line is true up to a constant that an initial value makes 0.
     pub(super) fn is_up_to_initial_values(&self, display: usize, reading: &Reading) -> bool {
         let of_problem = self.world.problem.notes.equations.len();
-        let holds = |reading: &Reading| matches!(self.status(display, reading).0, Status::Holds(_));
+        // What is 0 in one state need not stay as it is.
+        let lasting = self.lasting();
+        let holds = |reading: &Reading| matches!(self.status_with(display, reading, &lasting).0, Status::Holds(_));
         let equalities = given::up_to_initial_values(self.quiet, of_problem, reading);
         let stays = |rate: &Option<Reading>| rate.as_ref().is_some_and(holds);
         // Where the initial values are known, they do not make it true.

@@ -13,6 +13,8 @@ use crate::check::mark::marked::Mark;
 use crate::check::mark::rounded::{self, Known};
 use crate::check::mark::status::Status;
 use crate::check::mark::world::World;
+use crate::check::mark::written::units::with_single_units;
+use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
 
 use super::Judge;
@@ -56,9 +58,16 @@ impl Judge<'_, '_> {
         if !self.known.has_numbers() && self.world.has_other_letters() && !has_number {
             return false;
         }
-        let known = self.known_with_the_problem();
+        // Two formulas may agree by chance with the data of the problem.
+        let known = if has_digits(reading) { self.known_with_the_problem() } else { self.known.or(&self.printed) };
         let text = &self.quiet.notes.equations[display].text;
         known.fits(self.quiet, text, reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
+    }
+
+    /// Whether the numbers that are known give the left side of a statement its value: `\frac{d_1}{k_1} = 0.4` is then no condition.
+    pub(super) fn is_determined(&self, statement: &Statement) -> bool {
+        let known = self.known_with_the_problem();
+        statement.members.first().is_some_and(|formula| known.determines(self.quiet, formula))
     }
 
     /// The quantities of which a value is missing, for a line that gives a number where numbers were put in, or a measured number.
@@ -112,6 +121,16 @@ impl Judge<'_, '_> {
     }
 }
 
+/// Whether a number of at least two digits stands in a reading, or a member of it is a number.
+fn has_digits(reading: &Reading) -> bool {
+    let mut found = false;
+    for member in reading.statements.iter().flatten().flat_map(|statement| &statement.members) {
+        found |= member.symbols().is_empty() && !member.is_null();
+        member.walk(&mut |part| found |= part.as_digits().is_some_and(|digits| digits.len() > 1));
+    }
+    found
+}
+
 /// What the problem prints, and what its claims file says that a name stands for.
 pub(super) fn printed(checker: &Checker<'_>, world: &World<'_>) -> Known {
     let mut printed = Known::default();
@@ -134,7 +153,8 @@ pub(super) fn printed(checker: &Checker<'_>, world: &World<'_>) -> Known {
 pub(super) fn data(checker: &Checker<'_>, world: &World<'_>) -> Known {
     let notes = &world.problem.notes;
     let stated = notes.inline.iter().filter_map(|span| notes.source.text.get(span.range())).map(|text| {
-        let text = renamed(text.trim_matches('$'), &checker.model.macros, &HashMap::new()).text;
+        let text = with_single_units(text.trim_matches('$'));
+        let text = renamed(&text, &checker.model.macros, &HashMap::new()).text;
         checker.as_printed(&text, &Claim::default(), &checker.model.macros)
     });
     // What the model solution gives a formula, or what its laws are about, is no datum.
@@ -142,6 +162,17 @@ pub(super) fn data(checker: &Checker<'_>, world: &World<'_>) -> Known {
     let is_sought = |id: SymbolId| {
         let mut first = of_problem.iter().flat_map(|reading| reading.statements.iter().flatten());
         first.any(|statement| statement.members.first().and_then(Expr::as_plain_symbol) == Some(id))
+    };
+    // `T_1 - T_2 = 20\,\text{K}`
+    let relates = |reading: &Reading| {
+        let [Ok(statement)] = reading.statements.as_slice() else { return false };
+        let [formula, value] = statement.members.as_slice() else { return false };
+        let is_datum = |(id, dots): &(SymbolId, u8)| {
+            *dots == 0 && matches!(checker.model.meaning(*id), Some(Meaning::Constant(_))) && !is_sought(*id)
+        };
+        let symbols = formula.symbols();
+        let is_equal = statement.relations.iter().all(|(relation, _)| is_equality(*relation));
+        is_equal && value.symbols().is_empty() && symbols.len() > 1 && symbols.iter().all(is_datum)
     };
     let number = |reading: &Reading| -> Option<(SymbolId, Expr)> {
         let [Ok(statement)] = reading.statements.as_slice() else { return None };
@@ -154,8 +185,10 @@ pub(super) fn data(checker: &Checker<'_>, world: &World<'_>) -> Known {
         let is_constant = matches!(checker.model.meaning(name), Some(Meaning::Constant(_)));
         (is_constant && !is_sought(name)).then_some((name, value))
     };
-    let numbers: Vec<Reading> = stated.filter(|reading| number(reading).is_some()).collect();
-    let stated: Vec<&Reading> = numbers.iter().filter(|reading| gives(reading).is_some()).collect();
+    let stated: Vec<Reading> = stated.collect();
+    let relations: Vec<&Reading> = stated.iter().filter(|reading| relates(reading)).collect();
+    let numbers: Vec<&Reading> = stated.iter().filter(|reading| number(reading).is_some()).collect();
+    let stated: Vec<&Reading> = numbers.iter().copied().filter(|reading| gives(reading).is_some()).collect();
     // A later line that something is 0 is a condition of its own, and proves nothing of the lines before it.
     let is_datum = |reading: &&Reading| gives(reading).is_some_and(|(_, value)| !value.is_null());
     let own: Vec<&Reading> = checker.readings[world.first..].iter().filter(is_datum).collect();
@@ -167,9 +200,10 @@ pub(super) fn data(checker: &Checker<'_>, world: &World<'_>) -> Known {
     };
     let mut known = Known::default();
     stated.into_iter().chain(own.iter().filter(is_single).copied()).for_each(|reading| known.add(reading, true));
+    relations.into_iter().for_each(|reading| known.add_relation(checker, reading));
     // What the model solution gives a formula may be a datum of the part with numbers: "for $r_0 = 2\,\text{m}$".
     let is_defined = |id: SymbolId| matches!(checker.model.meaning(id), Some(Meaning::Defined(_)));
-    let sought = numbers.iter().filter(|reading| gives(reading).is_none()).filter_map(number);
+    let sought = numbers.iter().copied().filter(|reading| gives(reading).is_none()).filter_map(number);
     sought
         .filter(|(id, value)| is_defined(*id) && !value.is_null())
         .for_each(|(id, value)| known.add_at_last(id, value));

@@ -109,7 +109,7 @@ impl Judge<'_, '_> {
         }
         let is_ratio = written.continues.is_none()
             && !statements.is_empty()
-            && statements.iter().all(|statement| self.is_ratio_of_data(statement));
+            && statements.iter().all(|statement| self.is_ratio_of_data(statement) && !self.is_determined(statement));
         let is_case = written.is_if || written.is_example;
         let is_condition = is_case && statements.iter().all(|statement| self.relates_constants(statement))
             || is_ratio && self.stands_beside_a_value(at);
@@ -139,7 +139,7 @@ impl Judge<'_, '_> {
         statement.members.len() == 2 && texts.map(read).any(|reading| reading.statements.iter().flatten().any(is_it))
     }
 
-    fn add_condition(&mut self, at: usize) {
+    pub(super) fn add_condition(&mut self, at: usize) {
         self.conditions.push((self.world.display(at).text.clone(), self.world.written[at].name.clone()));
     }
 
@@ -156,6 +156,11 @@ impl Judge<'_, '_> {
         }
         if let Some(name) = self.follows_from_a_trial(reading) {
             return Ok(Some(right(format!("follows from the trial solution in {name}"))));
+        }
+        if let Some(said) = self.said_before_its_value(at, reading) {
+            let because = format!("defines {}, to which a later line gives another value", said.name(self.quiet));
+            self.implied.push(said);
+            return Ok(Some(given(because)));
         }
         if !self.is_about_a_trial(reading)
             && !self.has_a_numbered_value(reading)
@@ -182,6 +187,9 @@ impl Judge<'_, '_> {
             self.add_condition(at);
             return Ok(Some(right("follows from the problem, and its last member is a condition")));
         }
+        if self.is_condition_of_an_extremum(at, reading) {
+            return Ok(Some(given("is the condition for an extremum")));
+        }
         if energies::has_another_zero(self.quiet, display, reading) {
             return Ok(Some(right("is correct up to a constant, so only the zero of the potential energy differs")));
         }
@@ -192,17 +200,16 @@ impl Judge<'_, '_> {
             self.known.add(reading, false);
             return Ok(Some(right("agrees to the printed digits, with the numbers that are given")));
         }
+        if let Some(limit) = self.limit_in_which_it_holds(display, reading) {
+            return Ok(Some(right(format!("follows in the limit {limit}"))));
+        }
         if let Some(name) = self.follows_with_a_later_line(at, reading) {
             return Ok(Some(right(format!("follows together with {name}"))));
         }
         if let Some(name) = self.follows_under_a_condition(reading) {
             return Ok(Some(right(format!("follows under the condition of {name}"))));
         }
-        let later: Vec<SymbolId> = self.quiet.readings[display + 1..]
-            .iter()
-            .flat_map(|reading| reading.introduced.iter().map(|new| new.symbol))
-            .collect();
-        if self.motion.is_general(self.quiet, (display, reading), &later) {
+        if self.has_constants_of_integration(display, reading) {
             return Ok(Some(right("solves the equations of motion, with constants that a later line gives")));
         }
         let text = &self.world.display(at).text;
@@ -251,8 +258,14 @@ impl Judge<'_, '_> {
     fn carried_from(&mut self, at: usize, reading: &Reading) -> Result<Option<usize>> {
         let display = self.world.first + at;
         let all = self.displays(|_| true);
-        let wrong = self.displays(|line| matches!(line.mark, Mark::Wrong | Mark::Carried));
-        let sound = self.displays(|line| line.mark == Mark::Right || line.verdict == Some(Verdict::Law));
+        let mut wrong = self.displays(|line| matches!(line.mark, Mark::Wrong | Mark::Carried));
+        let mut sound = self.displays(|line| line.mark == Mark::Right || line.verdict == Some(Verdict::Law));
+        // With a false constant the solution that has it is false.
+        let first = self.world.first;
+        for (solution, _) in &self.false_constants {
+            sound.retain(|other| *other != first + solution);
+            wrong.push(first + solution);
+        }
         let before = Before {
             all: &all,
             wrong: &wrong,
@@ -267,7 +280,9 @@ impl Judge<'_, '_> {
             && self.details
             && let Some(from) = origin(&checker, (display, reading), &before).unwrap_or(None)
         {
-            return Ok(Some(from - self.world.first));
+            let from = from - first;
+            let constant = self.false_constants.iter().find(|(solution, _)| *solution == from);
+            return Ok(Some(constant.map_or(from, |(_, line)| *line)));
         }
         if let Some(start) = self.carried_number(display, reading).or_else(|| self.carried_from_a_trial(reading)) {
             return Ok(Some(start));

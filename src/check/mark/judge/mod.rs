@@ -7,7 +7,7 @@ use crate::Result;
 use crate::code::Code;
 use crate::formula::{Expr, SymbolId};
 use crate::latex::Reading;
-use crate::notes::claims::{Claim, Spanned};
+use crate::notes::claims::Claim;
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
@@ -36,6 +36,7 @@ mod extrema;
 mod false_line;
 mod hidden;
 mod instants;
+mod later_values;
 mod readings;
 mod rest;
 mod secular;
@@ -43,7 +44,6 @@ mod several;
 mod supposed;
 mod trial;
 mod units;
-mod upright;
 
 pub(super) use readings::with_dots;
 use readings::{Break, free_of};
@@ -97,6 +97,8 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Riv
             data: digits::data(&quiet, world),
             printed: digits::printed(&quiet, world),
             trials: Vec::new(),
+            constants: Vec::new(),
+            false_constants: Vec::new(),
             slips: slip::Slips::of(world.written.len()),
             lines: Vec::new(),
         };
@@ -126,6 +128,9 @@ fn judged(run: &Run<'_>, world: &World<'_>, (details, rival): (bool, Option<&Riv
     })
 }
 
+/// A condition that was stated, as LaTeX, with the name of its line.
+type Condition = (String, String);
+
 struct Judge<'j, 'c> {
     world: &'j World<'j>,
     run: &'j Run<'j>,
@@ -147,8 +152,7 @@ struct Judge<'j, 'c> {
     premises: Vec<Reading>,
     /// For each set of hypotheses of the problem, those that make a case.
     cases: Vec<Vec<Reading>>,
-    /// The conditions that were stated, as LaTeX, with the names of their lines.
-    conditions: Vec<(String, String)>,
+    conditions: Vec<Condition>,
     /// The lines of those that no word makes conditions, and that say that constants are the same.
     unsaid: Vec<String>,
     /// The conditions that the problem does not meet.
@@ -161,6 +165,10 @@ struct Judge<'j, 'c> {
     printed: Known,
     /// The trial solutions.
     trials: Vec<trial::Trial>,
+    /// The lines that hold whatever some names are to which later lines give values, with these names.
+    constants: Vec<(usize, Vec<SymbolId>)>,
+    /// Those of them that are false with the value that a later line gives, with that line.
+    false_constants: Vec<(usize, usize)>,
     slips: slip::Slips,
     lines: Vec<Line>,
 }
@@ -254,8 +262,15 @@ impl Judge<'_, '_> {
                 line.verdict = Some(verdict);
                 line.because = apart.or(under).unwrap_or(Because::Follows);
             }
+            Status::Given(Verdict::Definition, _) if self.is_false_constant(at, &reading, &mut line) => {}
             Status::Given(Verdict::Definition, _) | Status::False(_) if self.is_one_of_several(at, &mut line) => {}
             Status::Given(verdict, what) => {
+                if what == SOME_MOTIONS {
+                    self.add_condition(at);
+                    if !(self.world.written[at].inline || self.world.written[at].is_supposed) {
+                        self.unsaid.push(self.world.written[at].name.clone());
+                    }
+                }
                 if verdict == Verdict::Definition {
                     self.known.add(&reading, false);
                 }
@@ -297,6 +312,11 @@ impl Judge<'_, '_> {
     /// What a reading is in the problem, by itself, along its motion, under the hypotheses of its equations, or under
     /// conditions that were stated; and what it needs.
     fn status(&self, display: usize, reading: &Reading) -> (Status, Option<Because>) {
+        self.status_with(display, reading, &self.conditions)
+    }
+
+    /// The same with only some of the conditions.
+    fn status_with(&self, display: usize, reading: &Reading, conditions: &[Condition]) -> (Status, Option<Because>) {
         let checker = Checker { readings: &self.trusted, units: self.quiet.units.clone(), ..*self.quiet };
         let none = Claim::default();
         let refuted = || Box::new(Finding::new(Code::SidesDiffer, Verdict::Refuted, Span::default(), ""));
@@ -381,26 +401,8 @@ impl Judge<'_, '_> {
                 Some("follows while the coordinate keeps the value that the problem gives".into()),
             );
         }
-        if let Some((text, name)) = self.conditions.last() {
-            let span = Span::default();
-            let spanned = |text: &String| Spanned::new(text.clone(), span);
-            let all: Vec<Spanned<String>> = self.conditions.iter().map(|(text, _)| spanned(text)).collect();
-            // Conditions for different instants contradict each other.
-            let last = (all.len() > 1).then(|| vec![spanned(text)]);
-            for assume in [Some(all), last].into_iter().flatten() {
-                let claim = Claim { assume, ..Claim::default() };
-                let is_along = || self.along(&checker, display, reading, &claim) == Along::True;
-                if self.holds_under(&checker, display, reading, &claim) || is_along() {
-                    if let Some(unsaid) = self.unsaid.last().filter(|unsaid| claim.assume.len() > 1 || *unsaid == name)
-                    {
-                        let why =
-                            format!("holds under the condition of {unsaid}, and no word says that it is a condition");
-                        return (Status::Open(Verdict::Undecided, why), None);
-                    }
-                    let found = Status::Holds(Verdict::Verified);
-                    return (found, Some(format!("follows under the condition of {name}").into()));
-                }
-            }
+        if let Some(found) = self.under_conditions(&checker, (display, reading), conditions) {
+            return found;
         }
         (own, None)
     }

@@ -1,7 +1,7 @@
-//! Lines about the coordinate at a place of rest that has a name, and chains that end with a condition.
+//! Lines about the coordinate at a place of rest that has a name, chains that end with a condition, and conditions for an extremum.
 
 use crate::formula::{Expr, Statement, SymbolId};
-use crate::latex::Reading;
+use crate::latex::{Reading, names};
 
 use crate::check::mark::given;
 use crate::check::mark::marked::{Because, Line, Mark};
@@ -60,7 +60,26 @@ impl Judge<'_, '_> {
         let condition = part(vec![first.clone(), last.clone()]);
         let rest = part(statement.members[..length - 1].to_vec());
         let rest = Reading { statements: vec![Ok(rest)], introduced: Vec::new() };
-        let is_open = given::is_special_state(self.quiet, &condition, &self.wanted);
+        let is_open = given::is_special_state(self.quiet, &condition, &self.wanted) || self.is_slope_by_a_constant(at);
         is_open && matches!(self.status(self.world.first + at, &rest).0, Status::Holds(_))
+    }
+
+    /// Whether a line says that a slope by a constant vanishes, `\frac{dR}{d\alpha} = 0`: the condition for an extremum.
+    pub(super) fn is_condition_of_an_extremum(&self, at: usize, reading: &Reading) -> bool {
+        let [Ok(statement)] = reading.statements.as_slice() else { return false };
+        let vanishes = matches!(statement.members.as_slice(), [_, last] if last.is_null());
+        vanishes
+            && statement.relations.iter().all(|(relation, _)| is_equality(*relation))
+            && self.is_slope_by_a_constant(at)
+    }
+
+    /// Whether a line begins with a slope by a constant.
+    fn is_slope_by_a_constant(&self, at: usize) -> bool {
+        let text = &self.world.display(at).text;
+        let by = text.trim_start().split_once("frac{\\partial").filter(|(before, _)| ["\\", "\\d"].contains(before));
+        let by = by.and_then(|(_, rest)| rest.split_once("}{\\partial")?.1.split('}').next());
+        let name = by.and_then(|by| names::parse(by.trim()));
+        let id = name.and_then(|(name, _)| self.quiet.model.symbols.find(&name));
+        id.is_some_and(|(id, _)| matches!(self.quiet.model.meaning(id), Some(Meaning::Constant(_))))
     }
 }

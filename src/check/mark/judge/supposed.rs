@@ -212,6 +212,12 @@ impl Judge<'_, '_> {
     }
 }
 
+/// Whether a line that holds also holds with three times any of its terms: all of them are 0.
+pub(super) fn says_nothing(reading: &Reading, holds: impl Fn(&Reading) -> bool) -> bool {
+    let others = with_another_factor(reading);
+    !others.is_empty() && others.iter().all(holds)
+}
+
 /// Whether two statements are the same equality.
 fn is_same(said: &Statement, known: &Statement) -> bool {
     let has = |a: &Expr, b: &Expr| {

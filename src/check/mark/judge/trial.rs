@@ -5,13 +5,14 @@ use crate::formula::derivative::{Scope, partial};
 use crate::formula::tree::Variable;
 use crate::formula::{Expr, Node, Relation, SymbolId};
 use crate::latex::Reading;
-use crate::notes::claims::Claim;
+use crate::notes::claims::{Claim, Range};
 
 use crate::check::mark::carried::numbers;
 use crate::check::mark::motion::{printed, with_rates_taken};
 use crate::check::mark::status::{Status, status};
+use crate::check::model::Model;
 use crate::check::model::claim::{Hypothesis, Link, is_equality};
-use crate::check::model::meaning::Meaning;
+use crate::check::model::meaning::{self, Meaning};
 use crate::check::verdict::Verdict;
 
 use super::Judge;
@@ -236,7 +237,13 @@ impl Judge<'_, '_> {
             return false;
         }
         let Some(own) = numbers::links(self.quiet, reading) else { return false };
-        let model = self.quiet.without_system(false).model;
+        let mut model = self.quiet.without_system(false).model;
+        // An exponent in `e^{\lambda t}` may be negative.
+        let tried = self.trials.iter().flat_map(|trial| trial.formula.symbols()).map(|(id, _)| id);
+        for id in tried.filter(|id| self.is_own(*id)) {
+            model.mean(id, Meaning::Constant(model.constants.len()));
+            model.constants.push(meaning::Variable::number(id, Range::Any));
+        }
         let moves = |id: SymbolId| matches!(model.meaning(id), Some(Meaning::Coordinate(_) | Meaning::Varying(_)));
         let symbols = |link: &Link| [link.lhs.symbols(), link.rhs.symbols()].concat();
         if own.iter().flat_map(symbols).any(|(id, _)| moves(id)) {
@@ -254,7 +261,33 @@ impl Judge<'_, '_> {
         };
         // States are found more easily for one equation alone.
         let from_one = |link: &Link| premises.chunks(1).any(|one| follows(link, one));
-        own.iter().all(|link| from_one(link) || follows(link, &premises))
+        let is_factor =
+            |link: &Link| premises.iter().any(|known| self.is_a_factor(&model, link, (&known.lhs, &known.rhs)));
+        own.iter().all(|link| from_one(link) || follows(link, &premises) || is_factor(link))
+    }
+
+    /// Whether the difference of the sides of a link is that of an equation with a trial, but for a factor in which no constant of the problem
+    /// is: no number may obey `m \lambda^2 + b \lambda + k = 0`.
+    fn is_a_factor(&self, model: &Model, link: &Link, (left, right): (&Expr, &Expr)) -> bool {
+        let span = link.lhs.span;
+        let (own, whole) = (link.lhs.clone().minus(link.rhs.clone()), left.clone().minus(right.clone()));
+        let is_constant = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::Constant(_))) && !self.is_own(*id);
+        let mut constants: Vec<SymbolId> =
+            [own.symbols(), whole.symbols()].concat().into_iter().map(|(id, _)| id).filter(is_constant).collect();
+        constants.sort_unstable();
+        constants.dedup();
+        let product = |a: &Expr, b: &Expr| Expr::new(Node::Product(vec![a.clone(), b.clone()]), span);
+        let scope = Scope { symbols: &model.symbols, fixed: &[] };
+        let is_left_out = |id: &SymbolId| {
+            let by = Variable { id: *id, indices: Vec::new(), dots: 0 };
+            let slope = |formula: &Expr| partial(formula, &by, scope, span).ok();
+            let (Some(of_own), Some(of_whole)) = (slope(&own), slope(&whole)) else { return false };
+            let link = self.quiet.link(&product(&of_own, &whole), Relation::Equal, &product(&own, &of_whole));
+            link.is_ok_and(|link| {
+                numbers::holds(self.quiet, model, &numbers::beside_one(self.quiet, &link), &[]) == Some(true)
+            })
+        };
+        constants.len() > 1 && constants.iter().all(is_left_out)
     }
 
     /// The equations of motion that the problem and the true lines print.

@@ -2,6 +2,9 @@
 //!
 //! The formulas of the problem relate the units of its quantities, and the data of the hand-in and of the problem are printed with
 //! units. Where both together leave the quantity one unit, a value in another one is wrong, whatever its number is.
+//!
+//! A student may write units like letters, `4.22\,s`. The letters may be quantities of the problem, as m is a mass. So they count as units
+//! only where the line does not hold without them, and is right to its printed digits with them.
 
 use std::collections::HashMap;
 
@@ -9,15 +12,31 @@ use crate::formula::text::formula as formula_text;
 use crate::formula::units::in_si::has_units;
 use crate::formula::units::{Affine, Dimension, UnitCheck};
 use crate::formula::{Expr, Node, Statement, Symbols};
+use crate::latex::foreign;
 use crate::latex::rename::renamed;
 use crate::latex::{Macros, Reading, read_formula};
 use crate::notes::claims::Claim;
 
 use crate::check::mark::marked::Because;
+use crate::check::mark::status::Status;
 
 use super::Judge;
 
 impl Judge<'_, '_> {
+    /// Whether a display is right to its printed digits if the letters after its numbers are units.
+    pub(super) fn is_right_with_units(&self, display: usize) -> bool {
+        let Some(upright) = foreign::with_upright_units(&self.quiet.notes.equations[display].text) else {
+            return false;
+        };
+        let macros = &self.quiet.model.macros;
+        let text = renamed(&upright, macros, &HashMap::new()).text;
+        let reading = self.with_known(self.quiet.as_printed(&text, &Claim::default(), macros));
+        let known = self.known_with_the_problem();
+        let has_its_unit = self.wrong_unit_in(display - self.world.first, &upright, &reading).is_none();
+        has_its_unit
+            && known.fits(self.quiet, &text, &reading, |link| matches!(self.status(display, link).0, Status::Holds(_)))
+    }
+
     /// What is wrong with the unit of the number with which a line ends; `None` where it fits, or nobody can tell.
     pub(super) fn wrong_unit(&self, at: usize, reading: &Reading) -> Option<Because> {
         self.wrong_unit_in(at, &self.world.written[at].text, reading)

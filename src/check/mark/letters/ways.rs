@@ -1,7 +1,8 @@
 //! The ways in which the letters of a hand-in may be those of the problem, the likeliest first, and the best of them.
 
+use super::likeness::Likeness;
 use super::matching::{self, is_any_mode, may_stand_for};
-use super::supported;
+use super::{supported, with_slips};
 use std::collections::HashMap;
 
 use crate::Result;
@@ -21,7 +22,7 @@ use crate::check::mark::names::{Letters, Names, Role, StandsFor};
 use crate::check::mark::problem::{self, Problem};
 use crate::check::mark::world::World;
 use crate::check::mark::written::{
-    Written, accelerations, energies, functions, groups, instants, signs, single_letters, written,
+    Written, accelerations, energies, functions, groups, instants, signs, single_letters, slashes, slopes, written,
 };
 
 /// The most ways that are tried.
@@ -49,9 +50,11 @@ pub(in crate::check::mark) fn best(
     functions::of_constants(&mut lines, &problem.names, &mut instants);
     single_letters::instants(&mut lines, &problem.names, &macros);
     single_letters::charges(&mut lines, &problem.names);
+    slopes::by_constants(&mut lines, &problem.names);
     single_letters::lengths(&mut lines, &problem.names);
     groups::with_rates(&mut lines);
     energies::kinetic(&mut lines, &problem.names, &macros);
+    slashes::with_products(&mut lines);
     let used = usages(notes, &lines, &macros);
     let known = &problem.names;
     let declared = declared(problem, &used);
@@ -67,9 +70,9 @@ pub(in crate::check::mark) fn best(
     let quick = Run { options: Options { points: POINTS, explain: false, ..run.options }, ..*run };
     let mut best = declared.clone();
     let (by_form, ways) = all_ways(problem, (&lines, &macros), &used, &declared);
+    let names: Vec<Vec<Usage>> =
+        lines.iter().map(|line| all_usages(notes, std::slice::from_ref(line), &macros)).collect();
     if !ways.is_empty() {
-        let names: Vec<Vec<Usage>> =
-            lines.iter().map(|line| all_usages(notes, std::slice::from_ref(line), &macros)).collect();
         let results = problem.wanted.len();
         let first = Rival { score: i64::MIN, known: vec![None; lines.len()], reached: Vec::new(), results };
         let own = judge_quickly(&quick, &world(&declared, &quick)?, &first)?;
@@ -92,7 +95,9 @@ pub(in crate::check::mark) fn best(
             let Ok(judged) = judged else { continue };
             // A guess that makes more lines false than the letters before is no better for other lines that it makes true.
             let is_false = |judged: &Judged| judged.lines.iter().filter(|line| line.mark == Mark::Wrong).count();
-            let is_sound = is_false(&judged) <= most_false || is_likely(&way, &declared) || is_by_form;
+            // A hand-in with a slip has false lines with its own letters too: that it reaches more results says more.
+            let reaches_more = judged.reached() > tried[place].1.reached() && 2 * is_false(&judged) <= lines.len();
+            let is_sound = is_false(&judged) <= most_false || reaches_more || is_likely(&way, &declared) || is_by_form;
             let is_supported =
                 supported::is_supported(problem, (&declared, &way, is_by_form), &names, (&tried[0].1, &judged));
             let is_honest = is_by_form || !by_form.contains(&best) || !only_hides(&tried[place].1, &judged);
@@ -105,8 +110,41 @@ pub(in crate::check::mark) fn best(
             tried.push((way, judged));
         }
     }
-    Ok((judge(run, &world(&best, run)?)?, shown(&with_primes(&used, known, &best))))
+    let mut judged = judge(run, &world(&best, run)?)?;
+    if with_slips::says_nothing(known, &best, &names, &judged) {
+        let plain = judged.lines.iter().map(counted).collect::<Vec<_>>();
+        let mut most = None;
+        for way in ways_with_slips(problem, (&lines, &macros), &used, &declared) {
+            let Ok(other) = world(&way, run).and_then(|world| judge(run, &world)) else { continue };
+            let sound = with_slips::sound(&plain, &other);
+            if sound > most {
+                (judged, best, most) = (other, way, sound);
+            }
+        }
+    }
+    Ok((judged, shown(&with_primes(&used, known, &best))))
 }
+
+/// The ways in which a line is an equation of the problem with a slip.
+fn ways_with_slips(
+    problem: &Problem,
+    (lines, macros): (&[Written], &Macros),
+    used: &[Usage],
+    declared: &Letters,
+) -> Vec<Letters> {
+    let known = &problem.names;
+    let is_own = |name: &Name| used.iter().any(|usage| usage.name == *name && is_own(usage, used, known, declared));
+    let is_free = |name: &Name| used.iter().all(|usage| usage.name != *name);
+    let tables = matching::tables((problem, Likeness::ButForSlips), (lines, macros), is_own, is_free);
+    let with_declared = |table: Letters| declared.clone().into_iter().chain(table).collect::<Letters>();
+    let tables = tables.into_iter().map(with_declared).take(TABLES);
+    // The lines that have no form of the problem may have further letters.
+    tables.flat_map(|table| ways(used, known, &table).into_iter().take(WAYS_BESIDE_A_SLIP).chain([table])).collect()
+}
+
+/// The most tables of letters by a line with a slip that are tried, and the ways that are tried beside each.
+const TABLES: usize = 3;
+const WAYS_BESIDE_A_SLIP: usize = 2;
 
 /// Whether letters are no better than those with which a line is one of the problem: they make nothing more true, and take lines for
 /// definitions, of which at least as many are true as false.
@@ -269,7 +307,7 @@ fn all_ways(
     let is_own = |name: &Name| used.iter().any(|usage| usage.name == *name && is_own(usage, used, known, declared));
     let is_free = |name: &Name| used.iter().all(|usage| usage.name != *name);
     let (mut by_form, mut all): (Vec<Letters>, Vec<Letters>) = Default::default();
-    for table in matching::tables(problem, (lines, macros), is_own, is_free) {
+    for table in matching::tables((problem, Likeness::Same), (lines, macros), is_own, is_free) {
         let table: Letters = declared.clone().into_iter().chain(table).collect();
         let others = ways(used, known, &table);
         by_form.push(table.clone());

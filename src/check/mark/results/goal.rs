@@ -56,6 +56,12 @@ impl Goal {
             // What stands between them is a way to the result.
             symbols.extend([first, last].into_iter().flat_map(Expr::symbols));
         }
+        // What a length of the student's own would be if it were negative decides on no result.
+        for id in world.declared.iter().filter_map(|name| Some(checker.model.symbols.find(name)?.0)) {
+            if matches!(model.meaning(id), Some(Meaning::Constant(_))) {
+                free(&mut model, id, Range::Positive);
+            }
+        }
         let none = Claim::default();
         let claim = checker.assigned[wanted.display].unwrap_or(&none);
         // What holds at the start alone says nothing of a result that starts there.
@@ -120,7 +126,8 @@ impl Goal {
         }
         // What the problem gives is no result, though with its definitions it may say the same.
         let is_same = || checker.proportional(link, wanted, &[]).unwrap_or(false);
-        if !(is_about_its_rates(checker, link, wanted) || is_same()) || !self.is_law && says_a_law(checker, world, link)
+        if !(is_about_its_rates(checker, link, wanted) || is_same())
+            || !self.is_law && self.is_but_a_law(checker, world, link, wanted)
         {
             return false;
         }
@@ -145,6 +152,13 @@ impl Goal {
             }
             _ => self.holds(checker, link, &[]) == Some(false) && self.holds(checker, wanted, &[own]) == Some(true),
         }
+    }
+
+    /// Whether a link says what a law of the problem says, and no more. Where the result is a law solved for a quantity, so must the link be.
+    fn is_but_a_law(&self, checker: &Checker<'_>, world: &World<'_>, link: &Link, wanted: &Link) -> bool {
+        let is_solved = |id: SymbolId| is_power_of(&link.lhs, id) || is_power_of(&link.rhs, id);
+        says_a_law(checker, world, link)
+            && !(wanted.lhs.as_plain_symbol().is_some_and(is_solved) && says_a_law(checker, world, wanted))
     }
 
     /// Whether a link gives the quantity whose square is wanted: `v = \sqrt{2gh}` for `v^2 = 2gh`.
@@ -184,13 +198,14 @@ impl Goal {
         (own_line, reading): (usize, &Reading),
         lines: &[Line],
     ) -> bool {
+        let is_own = |id: SymbolId| world.problem.names.symbols.find(&checker.model.symbols.entry(id).name).is_none();
         // A line does not say by itself what its other quantities are.
         let gives = |id: SymbolId, at: usize| {
             if at == own_line {
                 return false;
             }
             let own = links(checker, &checker.readings[world.first + at]);
-            lines[at].mark == Mark::Right
+            (lines[at].mark == Mark::Right || lines[at].mark == Mark::Given && is_own(id))
                 && own.iter().any(|link| [&link.lhs, &link.rhs].into_iter().any(|side| is_power_of(side, id)))
         };
         let is_place = |id: SymbolId| {
@@ -198,6 +213,8 @@ impl Goal {
             world.problem.special.kept().any(|(_, place)| place == name)
         };
         let is_known = |id: SymbolId| match checker.model.meaning(id) {
+            // A line that defines a quantity of the student's own reaches a result if another line gives the quantity.
+            _ if is_own(id) && lines[own_line].mark == Mark::Given => (0..lines.len()).any(|at| gives(id, at)),
             Some(Meaning::Defined(_)) => (0..lines.len()).any(|at| gives(id, at)),
             _ if is_place(id) => (0..lines.len()).any(|at| gives(id, at)),
             _ => true,
@@ -208,12 +225,31 @@ impl Goal {
             others.all(|(id, _)| is_known(id)) && self.says(checker, world, link, wanted)
         };
         let own = links(checker, reading);
-        // What lines say of a place of rest makes two forms the same.
-        let given = (0..lines.len()).filter(|at| lines[*at].mark == Mark::Right).flat_map(|at| {
+        // What lines say of other quantities makes two forms the same: of a place of rest, or of the speed in `E = -\frac12 m v^2`.
+        let others: Vec<SymbolId> = own
+            .iter()
+            .flat_map(|link| [link.lhs.symbols(), link.rhs.symbols()].concat())
+            .filter(|symbol| !self.symbols.contains(symbol))
+            .map(|(id, _)| id)
+            .collect();
+        let is_true = |at: &usize| *at != own_line && matches!(lines[*at].mark, Mark::Right | Mark::Given);
+        let given = (0..lines.len()).filter(is_true).flat_map(|at| {
             let all = links(checker, &checker.readings[world.first + at]).into_iter();
-            all.filter(|link| link.lhs.symbols().iter().any(|(id, _)| is_place(*id) && is_power_of(&link.lhs, *id)))
+            let is_right = lines[at].mark == Mark::Right;
+            let gives = |link: &Link| {
+                let names = link.lhs.symbols();
+                let is_it = |id: SymbolId| (is_place(id) || others.contains(&id)) && (is_right || is_own(id));
+                names.iter().any(|(id, _)| is_it(*id) && is_power_of(&link.lhs, *id))
+            };
+            all.filter(gives).collect::<Vec<_>>()
         });
-        let premises: Vec<Hypothesis> = given.take(1).map(|link| Hypothesis::of(link, false)).collect();
+        let mut known: Vec<Link> = Vec::new();
+        given.for_each(|link| {
+            if known.iter().all(|other| other.lhs != link.lhs) && known.len() < MOST_KNOWN {
+                known.push(link);
+            }
+        });
+        let premises: Vec<Hypothesis> = known.into_iter().map(|link| Hypothesis::of(link, false)).collect();
         let is_same_there = |link: &Link, wanted: &Link| {
             let value = match &wanted.lhs.node {
                 _ if link.lhs == wanted.lhs => link.rhs.clone(),
@@ -306,6 +342,12 @@ impl Goal {
             if name.is_some_and(|id| matches!(link.lhs.node, Node::Power(..)) && is_power_of(&link.lhs, id)) {
                 return Some(None);
             }
+            // So was one about the quantity in the names of the result, which is not solved for it: `r_0 (k + m \Omega^2) = k \ell`.
+            if let Some(id) = name
+                && self.is_in_its_names(&link, wanted, id)
+            {
+                return Some(None);
+            }
             let left = checker.link(&link.lhs, Relation::Equal, &wanted.lhs);
             if !link.lhs.is_null() && left.is_ok_and(|left| self.holds(checker, &left, &[]) == Some(true)) {
                 return Some(self.off_by(checker, &link.rhs, &wanted.rhs));
@@ -322,6 +364,21 @@ impl Goal {
             }
         }
         None
+    }
+
+    /// Whether a link has a quantity of the result, all its other names but at most one, and no name more.
+    fn is_in_its_names(&self, link: &Link, wanted: &Link, id: SymbolId) -> bool {
+        let names = |link: &Link| {
+            let mut names = [link.lhs.symbols(), link.rhs.symbols()].concat();
+            names.sort_unstable();
+            names.dedup();
+            names
+        };
+        let (own, all) = (names(link), names(wanted));
+        own.contains(&(id, 0))
+            && own.len() > 2
+            && own.len() + 1 >= all.len()
+            && own.iter().all(|name| all.contains(name))
     }
 
     /// What a formula is off by: a sign or a number.
@@ -349,6 +406,9 @@ impl Goal {
         is_constant.then_some(if (first + 1.0).abs() < 1e-9 { Lost::Sign } else { Lost::Factor })
     }
 }
+
+/// The most quantities of which right lines say what they are, so that two forms are the same.
+const MOST_KNOWN: usize = 3;
 
 /// Whether a link says what a law of the problem says, whatever the definitions of the problem say.
 fn says_a_law(checker: &Checker<'_>, world: &World<'_>, own: &Link) -> bool {
@@ -386,6 +446,8 @@ fn is_power_of(formula: &Expr, id: SymbolId) -> bool {
     match &formula.node {
         // A name that is defined by its square is a root.
         Node::Power(base, _) | Node::Root(_, base) => base.as_plain_symbol() == Some(id),
+        // So does its reciprocal: `\frac1R = \frac1{R_1} + \frac1{R_2}`.
+        Node::Quotient(_, below) => below.as_plain_symbol() == Some(id) && formula.symbols().len() == 1,
         _ => formula.as_plain_symbol() == Some(id),
     }
 }

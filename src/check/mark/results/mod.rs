@@ -13,6 +13,7 @@ use crate::notes::claims::{Claim, Lost};
 
 use crate::check::document::checker::Checker;
 use crate::check::model::claim::Link;
+use crate::check::verdict::Verdict;
 
 use super::judged::Found;
 use super::marked::{Because, Line, Mark, Slipped};
@@ -121,9 +122,12 @@ impl<R: Fn(usize) -> Vec<Reading>> Search<'_, '_, R> {
 
     /// The right line that has the form of the model solution on the way, where lines say what its other quantities are.
     fn in_other_quantities(&self, lines: &[Line]) -> Option<Found> {
+        let is_true = |line: &Line| {
+            line.mark == Mark::Right || line.mark == Mark::Given && line.verdict == Some(Verdict::Assumed)
+        };
         let says = |at: &usize| {
             let mut own = (self.readings)(*at).into_iter();
-            lines[*at].mark == Mark::Right
+            is_true(&lines[*at])
                 && own
                     .any(|reading| self.goal.is_with_known_quantities(self.checker, self.world, (*at, &reading), lines))
         };

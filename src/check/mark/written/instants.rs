@@ -193,7 +193,21 @@ fn instant(inside: &str) -> Option<&str> {
         return Some(value.trim()).filter(|value| !value.is_empty());
     }
     let is_time = inside.strip_prefix("t_").is_some_and(|sub| !sub.is_empty() && !sub.contains(['+', '-', ',']));
-    (inside == "0" || is_time || is_multiple_of_a_period(inside)).then_some(inside)
+    (inside == "0" || is_time || is_multiple_of_a_period(inside) || is_multiple_of_an_instant(inside)).then_some(inside)
+}
+
+/// Whether a text is a multiple of a time with a subscript: `2t_1`, `t_{1}/2`.
+fn is_multiple_of_an_instant(text: &str) -> bool {
+    let factor = text.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.').trim_start();
+    let Some(sub) = factor.strip_prefix("t_") else { return false };
+    let rest = match sub.strip_prefix('{') {
+        Some(inside) => inside.split_once('}').map(|(_, rest)| rest),
+        None => sub.chars().next().filter(char::is_ascii_alphanumeric).map(|c| &sub[c.len_utf8()..]),
+    };
+    rest.is_some_and(|rest| match rest.trim().strip_prefix('/') {
+        Some(below) => !below.is_empty() && below.chars().all(|c| c.is_ascii_digit()),
+        None => rest.trim().is_empty(),
+    })
 }
 
 /// Whether a text is a period or a time constant, or a multiple of one: `T`, `T/4`, `2\tau`.
@@ -231,7 +245,8 @@ mod tests {
     #[test]
     fn a_period_is_an_instant() {
         assert_eq!(found(r"x(T/4) = v(2\tau) + q\left(\frac{T}{2}\right)"), [("x", "T/4"), ("v", r"2\tau")]);
-        for text in ["m(T - a)", "x(S)", "x(2)", "x(T_1 x)"] {
+        assert_eq!(found("x(2t_1) = y(t_{1}/2)"), [("x", "2t_1"), ("y", "t_{1}/2")]);
+        for text in ["m(T - a)", "x(S)", "x(2)", "x(T_1 x)", "x(2t_1 + a)", "x(2 t)"] {
             assert_eq!(found(text), [], "{text}");
         }
     }

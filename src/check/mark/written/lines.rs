@@ -6,6 +6,8 @@ use crate::latex::lines::{self, lines};
 use crate::notes::{Display, Notes};
 use crate::source::Span;
 
+use super::units::with_single_units;
+
 /// A line as it was written.
 #[derive(Clone, Debug)]
 pub(in crate::check::mark) struct Written {
@@ -45,6 +47,8 @@ pub(in crate::check::mark) struct Written {
     pub is_at_rest: bool,
     /// Whether the text before it says that something is small.
     pub is_near: bool,
+    /// The limit that its sentence names, `M \to \infty`.
+    pub limit: Option<String>,
     /// Edits of what is read that make it readable.
     pub edits: Vec<(Span, String)>,
 }
@@ -102,7 +106,7 @@ pub(in crate::check::mark) fn written(notes: &Notes, macros: &Macros) -> Vec<Wri
     all.sort_by_key(|(body, ..)| body.start);
     let mut found: Vec<Written> = Vec::new();
     for (body, read, display) in all {
-        let read = foreign::separated(&read);
+        let read = foreign::separated(&with_single_units(&read));
         let statements: Vec<lines::Line> = match display {
             Some(_) => lines(&read, macros),
             None => lines(&read, macros).into_iter().filter(|line| line.is_statement).collect(),
@@ -152,11 +156,26 @@ pub(in crate::check::mark) fn written(notes: &Notes, macros: &Macros) -> Vec<Wri
                     REST.iter().any(|word| before.contains(word))
                 },
                 is_near: SMALL.iter().any(|word| text[..span.start].to_lowercase().contains(word)),
+                limit: limit(text, display.map_or(span, |display| display.span), display.is_none()),
                 edits: Vec::new(),
             });
         }
     }
     found
+}
+
+/// The limit that a formula in the text beside a line names: before it, or behind a line in the text, in the same sentence.
+fn limit(text: &str, line: Span, is_inline: bool) -> Option<String> {
+    let ends = |text: &str, at: usize| text[at..].starts_with(". ") || text[at..].starts_with("\n\n");
+    let before = text.get(..line.start)?.trim_end();
+    let start = before.char_indices().rev().map(|(at, _)| at).find(|at| ends(before, *at));
+    let after = text.get(line.end..).filter(|_| is_inline).unwrap_or_default();
+    let end = after.char_indices().map(|(at, _)| at).find(|at| ends(after, *at)).unwrap_or(after.len());
+    let formulas = [&before[start.map_or(0, |at| at + 1)..], &after[..end]];
+    let all = formulas.iter().flat_map(|text| text.split('$'));
+    let is_limit = |formula: &&str| formula.contains("\\to") && !formula.contains(['=', '\n']);
+    let limit = all.filter(is_limit).next_back()?;
+    Some(limit.trim().replace("\\to", " \\to "))
 }
 
 /// Words for "if", in some languages.
