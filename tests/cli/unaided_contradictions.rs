@@ -157,3 +157,24 @@ fn a_solution_is_wrong_that_the_equations_before_it_contradict() {
     let one = findings("solution-beside", &text);
     assert_eq!((one[1].0.as_str(), one[2].0 == "refuted"), ("refuted", false), "{one:?}");
 }
+
+/// The deflection at the end gives no formula to that of the whole beam.
+#[test]
+fn a_relation_is_not_weighed_by_a_formula_that_comes_later() {
+    let beam = r"$$ M(x) = F (\ell - x) $$
+
+$$ E I w'' = M(x) $$
+
+Integrate twice:
+
+$$ E I w' = F\left(\ell x - \frac{x^2}{2}\right) $$
+
+$$ E I w = F\left(\frac{\ell x^2}{2} - \frac{x^3}{6}\right) $$
+
+The deflection at the end
+
+$$ w(\ell) = \frac{F\ell^3}{3EI} $$
+";
+    let found = findings("unaided-later-formula", beam);
+    assert!(found.iter().all(|(verdict, ..)| verdict != "refuted"), "{found:?}");
+}

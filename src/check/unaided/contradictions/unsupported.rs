@@ -85,6 +85,7 @@ pub(in crate::check::unaided) fn against_premises(course: &Course<'_, '_>, found
                 && !premise.is_inline
                 && !course.confirmed.contains(&premise.at)
                 && found[premised].finding.verdict == Verdict::Assumed
+                && !uses_a_later_formula(course.checker, premise.at)
                 && !(set.len() == 1 && is_alike(course.checker, *at, premise));
             if !is_free {
                 continue;
@@ -105,6 +106,18 @@ pub(in crate::check::unaided) fn against_premises(course: &Course<'_, '_>, found
         }
     }
     Ok(())
+}
+
+/// Whether a relation contains a name to which only a later display gives a formula, as w' before `w(\ell) = …`: the author may have
+/// meant another one.
+fn uses_a_later_formula(checker: &Checker<'_>, at: usize) -> bool {
+    let members = checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+    let used: Vec<SymbolId> = members.flat_map(Expr::symbols).map(|(id, _)| id).collect();
+    let later = checker.readings.iter().skip(at + 1).flat_map(|reading| &reading.introduced);
+    // A derivative is read as that of the formula, and the name is none of the symbols any more.
+    let text = &checker.notes.equations[at].text;
+    let is_differentiated = |id: SymbolId| text.contains(&format!("{}'", checker.model.name(id)));
+    later.into_iter().any(|new| used.contains(&new.symbol) || is_differentiated(new.symbol))
 }
 
 /// Whether authors make slips of this kind often, and the correction puts no other letter into a relation: with another letter it may be
