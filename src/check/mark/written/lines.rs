@@ -172,9 +172,9 @@ fn limit(text: &str, line: Span, is_inline: bool) -> Option<String> {
     let after = text.get(line.end..).filter(|_| is_inline).unwrap_or_default();
     let end = after.char_indices().map(|(at, _)| at).find(|at| ends(after, *at)).unwrap_or(after.len());
     let formulas = [&before[start.map_or(0, |at| at + 1)..], &after[..end]];
-    let all = formulas.iter().flat_map(|text| text.split('$'));
+    let mut all = formulas.iter().flat_map(|text| text.split('$'));
     let is_limit = |formula: &&str| formula.contains("\\to") && !formula.contains(['=', '\n']);
-    let limit = all.filter(is_limit).next_back()?;
+    let limit = all.rfind(is_limit)?;
     Some(limit.trim().replace("\\to", " \\to "))
 }
 

@@ -85,8 +85,8 @@ pub(in crate::check::unaided) fn against_premises(course: &Course<'_, '_>, found
                 && !premise.is_inline
                 && !course.confirmed.contains(&premise.at)
                 && found[premised].finding.verdict == Verdict::Assumed
-                && !uses_a_later_formula(course.checker, premise.at)
-                && !(set.len() == 1 && is_alike(course.checker, *at, premise));
+                && !(uses_a_later_formula(course.checker, premise.at)
+                    || set.len() == 1 && is_alike(course.checker, *at, premise));
             if !is_free {
                 continue;
             }
