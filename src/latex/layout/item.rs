@@ -160,7 +160,6 @@ impl Item {
 }
 
 /// The items inside a group, or the item itself.
-#[cfg(feature = "notes")]
 pub(crate) fn contents(item: &Item) -> &[Item] {
     match &item.layout {
         // `\frac{{\partial S}}{{\partial N}}`
