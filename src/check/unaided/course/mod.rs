@@ -300,12 +300,17 @@ impl Course<'_, '_> {
         let nearest = words.connected.then(|| premises::nearest(&before, &symbols)).flatten();
         let nearest = nearest.filter(|set| !sets.contains(set));
         let sought = Sought { words: &words, symbols: &symbols, sets, nearest, positive };
-        if let Some(follows) = self.following(at, &sought)? {
+        if let Some(follows) = self.following(at, &sought, false)? {
             return Ok(gate::as_it_counts(follows));
         }
         let solved = solutions::solved((at, &symbols), &before, self.checker.readings, self.checker.model);
         if let Some(found) = self.solving(at, &solved)? {
             return Ok(gate::as_it_counts(found));
+        }
+        if sought.positive.is_some()
+            && let Some(follows) = self.following(at, &sought, true)?
+        {
+            return Ok(gate::as_it_counts(follows));
         }
         if let Some(found) = self.in_stated_case(at, sought.positive.as_ref())? {
             return Ok(found);
@@ -455,7 +460,7 @@ impl Course<'_, '_> {
         if found.is_none()
             && let Some(positive) = positive
         {
-            found = self.follows_where(at, &positive.with(premises::symbols(set), self.checker.model), &claim)?;
+            found = self.follows_where(at, positive, &claim)?;
         }
         Ok(found.map(|mut found| {
             let (message, set) = (found.finding.message, named(set));

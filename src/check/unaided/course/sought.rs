@@ -5,10 +5,14 @@ use crate::check::unaided::course::{Course, taken};
 use crate::check::unaided::gate;
 use crate::check::unaided::premises::{self, Premise, Sought};
 use crate::check::unaided::prose::{self, Announced, Words};
+use crate::check::unaided::signs::Positive;
 use crate::check::unaided::solutions::Solution;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
 use crate::notes::claims::Claim;
+
+/// The sets of premises that are tried for a certificate, from the first with which a display passes.
+const MORE: usize = 3;
 
 /// The most relations that a display with a slip is taken to solve.
 pub(super) const SOLVED_WITH_A_SLIP: usize = 2;
@@ -121,18 +125,28 @@ impl Course<'_, '_> {
         }
     }
 
-    /// The finding that a display follows from premises.
-    pub(super) fn following(&mut self, at: usize, sought: &Sought<'_>) -> Result<Option<Equation>> {
+    /// The finding that a display follows from premises, perhaps only where the constants of the premises are positive too.
+    pub(super) fn following(&mut self, at: usize, sought: &Sought<'_>, all_positive: bool) -> Result<Option<Equation>> {
+        let mut best: Option<(Equation, Vec<usize>)> = None;
+        let mut more = MORE;
         for set in sought.sets.iter().chain(&sought.nearest) {
-            if let Some(follows) = self.follows_from(at, set, sought.positive.as_ref())? {
-                // What follows says in short what several premises do, so it is one too.
-                let from: Vec<usize> = set.iter().map(|premise| premise.at).collect();
-                self.confirmed.extend(&from);
-                self.take_as_premise(at, &from);
-                return Ok(Some(follows));
+            let with_all = |positive: &Positive| positive.with(premises::symbols(set), self.checker.model);
+            let all = sought.positive.as_ref().filter(|_| all_positive).map(with_all);
+            let follows = self.follows_from(at, set, all.as_ref().or(sought.positive.as_ref()))?;
+            let is_certified = follows.as_ref().is_some_and(|found| found.finding.verdict == Verdict::Certified);
+            if let Some(follows) = follows.filter(|_| is_certified || best.is_none()) {
+                best = Some((follows, set.iter().map(|premise| premise.at).collect()));
+            }
+            more -= usize::from(best.is_some());
+            if is_certified || more == 0 {
+                break;
             }
         }
-        Ok(None)
+        let Some((follows, from)) = best else { return Ok(None) };
+        // What follows says in short what several premises do, so it is one too.
+        self.confirmed.extend(&from);
+        self.take_as_premise(at, &from);
+        Ok(Some(follows))
     }
 
     /// The finding that a display solves a relation before it.
