@@ -6,6 +6,10 @@ fn found(name: &str, notes: &str) -> Vec<String> {
     verdicts(&format!("unaided-conclusion-{name}"), notes)
 }
 
+fn passes(verdict: &str) -> bool {
+    ["certified", "verified"].contains(&verdict)
+}
+
 /// The verdict on a display after others, with words between the two.
 fn last(name: &str, notes: &str) -> String {
     found(name, notes).pop().expect("a verdict")
@@ -26,7 +30,7 @@ $$ v = \frac{m+M}{m}\sqrt{2 g h} $$
 
 #[test]
 fn a_common_factor_of_a_law_hides_nothing() {
-    assert_eq!(last("pendulum", PENDULUM), "verified");
+    assert!(passes(&last("pendulum", PENDULUM)));
     for slip in ["g h", r"\frac{g h}{2}", "3 g h"] {
         let wrong = PENDULUM.replace("{2 g h}", &format!("{{{slip}}}"));
         assert_eq!(last("pendulum-slip", &wrong), "refuted", "{slip}");
@@ -38,7 +42,7 @@ fn a_conclusion_is_wrong_by_a_number() {
     let outflow = |words: &str, speed: &str| {
         format!("$$ p_0 + \\rho g h = p_0 + \\frac12 \\rho v^2 $$\n\n{words}\n\n$$ v = {speed} $$\n")
     };
-    assert_eq!(last("outflow", &outflow("hence", r"\sqrt{2 g h}")), "verified");
+    assert!(passes(&last("outflow", &outflow("hence", r"\sqrt{2 g h}"))));
     assert_eq!(last("outflow-slip", &outflow("hence", r"\sqrt{g h}")), "refuted");
     assert_eq!(last("outflow-four", &outflow("so that", r"2\sqrt{g h}")), "refuted");
     // Where the words say of no consequence, it may be another speed.
@@ -69,7 +73,7 @@ fn two_quantities_of_a_sentence_that_are_equal_are_a_law() {
              are equal, $G = F$, so\n\n$$ v = {speed} $$\n"
         )
     };
-    assert_eq!(last("stokes", &stokes(r"\frac{2 a^2 \rho g}{9\eta}")), "verified");
+    assert!(passes(&last("stokes", &stokes(r"\frac{2 a^2 \rho g}{9\eta}"))));
     assert_eq!(last("stokes-power", &stokes(r"\frac{2 a \rho g}{9\eta}")), "refuted");
     assert_eq!(last("stokes-number", &stokes(r"\frac{4 a^2 \rho g}{9\eta}")), "refuted");
 }
@@ -83,10 +87,10 @@ fn a_label_of_a_statement_begins_no_other_system() {
              $$ r = \\frac{{4\\pi\\varepsilon_0 \\hbar^2}}{{m e^2}} {power} \\tag{{3}} $$\n"
         )
     };
-    assert_eq!(last("bohr", &bohr("Quantum condition:", "n^2")), "verified");
+    assert!(passes(&last("bohr", &bohr("Quantum condition:", "n^2"))));
     assert_eq!(last("bohr-slip", &bohr("Quantum condition:", "n^3")), "refuted");
     // The name of a thing does: nothing of before holds there.
-    assert_ne!(last("bohr-thing", &bohr("Neutron star:", "n^2")), "verified");
+    assert!(!passes(&last("bohr-thing", &bohr("Neutron star:", "n^2"))));
 }
 
 #[test]
@@ -98,7 +102,7 @@ fn the_last_term_of_an_approximation_counts() {
         (r"\cos x \approx 1 - \frac{x^2}{2}", r"\cos x \approx 1 - \frac{x^2}{4}"),
         (r"e^{-x} \approx 1 - x", r"e^{-x} \approx 1 + x"),
     ] {
-        assert!(["certified", "verified"].contains(&near("For small $x$", right).as_str()), "{right}");
+        assert!(passes(&near("For small $x$", right)), "{right}");
         assert_eq!(near("For small $x$", wrong), "refuted", "{wrong}");
     }
     // A rough estimate is no series.
@@ -109,7 +113,7 @@ fn the_last_term_of_an_approximation_counts() {
         );
         last("energy", &notes)
     };
-    assert!(["certified", "verified"].contains(&energy(r"\frac12").as_str()));
+    assert!(passes(&energy(r"\frac12")));
     assert_eq!(energy(r"\frac14"), "refuted");
 }
 
