@@ -182,3 +182,27 @@ fn a_macro_does_not_hide_that_a_claim_restates_its_hypothesis() {
     assert_eq!(assumed(r"T = \frac{m v^2}{2}"), Verdict::Undecided);
     assert_eq!(assumed(r"T = m v^2"), Verdict::Refuted);
 }
+
+/// (m + M)(V²/2 − g h) = 0 is solved by M = −m, which the declared ranges exclude. That is no reason to find no state.
+#[test]
+fn a_common_factor_of_a_hypothesis_is_no_solution_where_it_cannot_vanish() {
+    let claims = json!({ "constants": { "m, M, V, v, g, h": "> 0" } });
+    let law = r"\frac12 (m + M) V^2 = (m + M) g h";
+    let claim = || json!({ "throughout": [law, "m v = (m + M) V"] });
+    let speed = |under: &str| verdict(&claims, &[&format!(r"v = \frac{{m + M}}{{m}}\sqrt{{{under}}}")], claim());
+    assert_eq!(speed("2 g h"), Verdict::Verified);
+    assert_eq!(speed("g h"), Verdict::Refuted);
+}
+
+/// All numbers of the second hypothesis are those for which the first one was solved.
+#[test]
+fn hypotheses_are_met_in_any_order() {
+    let claims = json!({ "constants": { "a, k, \\lambda": "> 0", "\\theta": "0 < x < \\pi/2" } });
+    let (law, value) = (r"a \sin\theta = k \lambda", "k = 1");
+    for order in [[law, value], [value, law]] {
+        let found =
+            |right: &str| verdict(&claims, &[&format!(r"\sin\theta = {right}")], json!({ "throughout": order }));
+        assert_eq!(found(r"\frac{\lambda}{a}"), Verdict::Verified, "{order:?}");
+        assert_eq!(found(r"\frac{2\lambda}{a}"), Verdict::Refuted, "{order:?}");
+    }
+}

@@ -1,9 +1,7 @@
 //! `onshell mark`, where a claim of the problem holds in a case alone, and what earns a result. Beside each line that is right stands
 //! one that must not be.
 
-use serde_json::Value;
-
-use crate::support::{Desk, marks};
+use crate::support::{self, marks};
 
 /// A rocket: the acceleration is a result at the start alone.
 const ROCKET: (&str, &str) = (
@@ -26,13 +24,8 @@ const CIRCLE: (&str, &str) = (
         "equations": { "2": { "also equals": "E", "throughout": "r = r_0" } }, "rubric": { "results": { "2": 1 } } }"#,
 );
 
-fn points(name: &str, (notes, claims): (&str, &str), lines: &str) -> f64 {
-    let desk = Desk::new(&format!("points-{name}"));
-    desk.write("p.md", notes);
-    desk.write("p.json", claims);
-    desk.write("one.md", lines);
-    let report: Value = desk.onshell(&["mark", "one.md", "--claims", "p.json", "--format", "json"]).json();
-    report["students"][0]["credit"].as_f64().unwrap()
+fn points(name: &str, problem: (&str, &str), lines: &str) -> f64 {
+    support::points(&format!("points-{name}"), problem, lines)
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! `onshell mark`: which lines reach a result in names of the student's own, as a law solved for a quantity, or with a slip. Beside each line
 //! that does stands one that does not.
 
-use crate::support::{Desk, marks};
+use crate::support::{self, Desk, marks};
 
 /// A wall of two layers.
 const WALL: (&str, &str) = (
@@ -22,13 +22,8 @@ const SATELLITE: (&str, &str) = (
         "rubric": { "results": { "2": 1, "3": 2 }, "without steps": "full" } }"#,
 );
 
-fn points(name: &str, (notes, claims): (&str, &str), lines: &str) -> f64 {
-    let desk = Desk::new(&format!("mark-credit-{name}"));
-    desk.write("p.md", notes);
-    desk.write("p.json", claims);
-    desk.write("one.md", lines);
-    let report = desk.onshell(&["mark", "one.md", "--claims", "p.json", "--format", "json"]).json();
-    report["students"][0]["credit"].as_f64().unwrap()
+fn points(name: &str, problem: (&str, &str), lines: &str) -> f64 {
+    support::points(&format!("mark-credit-{name}"), problem, lines)
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! `onshell mark`, where hand-ins write rates with primes beside letters of their own, one letter for several numbered values, a letter
 //! of the problem for something else, or nothing but results. Beside each such line stands one that is wrong.
 
-use crate::support::{Desk, marks};
+use crate::support::{self, marks};
 
 /// Two coupled pendulums.
 const PENDULUMS: (&str, &str) = (
@@ -28,14 +28,8 @@ const PULLEY: (&str, &str) = (
         "rubric": { "results": { "4": 2, "5": 1, "6": 1 }, "half for": ["sign", "factor"] } }"#,
 );
 
-/// The points of a hand-in.
-fn points(name: &str, (notes, claims): (&str, &str), lines: &str) -> f64 {
-    let desk = Desk::new(&format!("mark-own-letters-{name}"));
-    desk.write("p.md", notes);
-    desk.write("p.json", claims);
-    desk.write("one.md", lines);
-    let report = desk.onshell(&["mark", "one.md", "--claims", "p.json", "--format", "json"]).json();
-    report["students"][0]["credit"].as_f64().unwrap()
+fn points(name: &str, problem: (&str, &str), lines: &str) -> f64 {
+    support::points(&format!("mark-own-letters-{name}"), problem, lines)
 }
 
 #[test]

@@ -136,6 +136,16 @@ impl Desk {
     }
 }
 
+/// The points of a hand-in of these lines for a problem, judged in a folder of its own.
+pub fn points(folder: &str, (notes, claims): (&str, &str), lines: &str) -> f64 {
+    let desk = Desk::new(folder);
+    desk.write("p.md", notes);
+    desk.write("p.json", claims);
+    desk.write("one.md", lines);
+    let report = desk.onshell(&["mark", "one.md", "--claims", "p.json", "--format", "json"]).json();
+    report["students"][0]["credit"].as_f64().expect("the points of the student")
+}
+
 /// The marks of the lines of a hand-in for a problem, its notes and its claims.
 pub fn marks(name: &str, (notes, claims): (&str, &str), lines: &str) -> Vec<String> {
     // Two tests may use one name; each runs in a thread that has its own.

@@ -66,6 +66,34 @@ fn several_things_have_another_number() {
 }
 
 #[test]
+fn what_is_doubled_has_another_number() {
+    let pull = |words: &str| {
+        let laws = "$$ F - \\mu m g = m a $$\n\nso that\n\n$$ a = \\frac Fm - \\mu g $$";
+        last("pull", &format!("{laws}\n\n{words}\n\n$$ a = \\frac{{2F}}{{m}} - \\mu g $$\n"))
+    };
+    assert_eq!(pull("It then follows that"), "refuted");
+    assert_ne!(pull("Once it moves, the pull is doubled; then"), "refuted");
+}
+
+/// What begins a sentence as another thing has a formula of its own.
+#[test]
+fn another_thing_has_another_formula() {
+    let speed = |words: &str| {
+        let law = r"\frac12 m v^2 = \frac{G M m}{r}";
+        last("thing", &format!("$$ {law} $$\n\n{words}\n\n$$ v = \\sqrt{{\\frac{{G M}}{{r}}}} $$\n"))
+    };
+    assert_eq!(speed("It follows that"), "refuted");
+    assert_ne!(speed("A satellite on a circle is slower. It follows that"), "refuted");
+    let doppler = |words: &str, result: &str| {
+        let law = r"f' = f\sqrt{\frac{1-\beta}{1+\beta}}";
+        last("mirror", &format!("$$ {law} $$\n\n{words} with $\\beta = \\frac35$ gives\n\n$$ f' = {result} $$\n"))
+    };
+    assert!(passes(&doppler("The source", r"\frac f2")));
+    assert_eq!(doppler("The source", r"\frac f4"), "refuted");
+    assert_ne!(doppler("A mirror", r"\frac f4"), "refuted");
+}
+
+#[test]
 fn two_quantities_of_a_sentence_that_are_equal_are_a_law() {
     let stokes = |speed: &str| {
         format!(

@@ -125,6 +125,7 @@ fn a_value_in_the_sentence_decides_what_a_law_says_there() {
     let film = r"2 n d = \left(m + \frac12\right)\lambda";
     let height = r"p = p_0 e^{-z/H}";
     let gamma = r"\gamma = \frac{1}{\sqrt{1-\beta^2}}";
+    let grating = r"a \sin\theta = k \lambda";
     for (law, words, right, wrong) in [
         (
             compton,
@@ -133,6 +134,12 @@ fn a_value_in_the_sentence_decides_what_a_law_says_there() {
             r"\lambda' - \lambda = \frac{h}{mc}",
         ),
         (film, "The thinnest bright film ($m = 0$):", r"d = \frac{\lambda}{4n}", r"d = \frac{\lambda}{2n}"),
+        (
+            grating,
+            "The first maximum ($k = 1$) is at",
+            r"\sin\theta = \frac{\lambda}{a}",
+            r"\sin\theta = \frac{2\lambda}{a}",
+        ),
         (height, r"The pressure is $p = \frac12p_0$ at", r"z = H\ln 2", r"z = \frac H2"),
         (gamma, r"At $\beta = \frac35$ we have", r"\gamma = \frac54", r"\gamma = \frac53"),
     ] {

@@ -161,7 +161,11 @@ impl<'m> Projection<'m> {
         let is_of_time = named.peek().is_some() && named.all(|symbol| is_time(&symbol));
         let mut candidates: Vec<usize> = if is_of_time { vec![0] } else { (1..self.slots.len()).collect() };
         candidates.retain(|at| !self.record.plan.iter().any(|(_, taken)| taken == at));
-        candidates.retain(|at| is_of_time || concerns(&self.slots[*at]));
+        // Where the plan has taken all numbers of the row, they follow the other numbers of the rows that they solve: k = 1, after
+        // a sin θ = k λ was solved for k.
+        if !is_of_time && candidates.iter().any(|at| concerns(&self.slots[*at])) {
+            candidates.retain(|at| concerns(&self.slots[*at]));
+        }
         candidates.sort_by_key(|at| std::cmp::Reverse((class(&self.slots[*at]), *at)));
         let rows: Vec<Row> = self.record.plan.iter().map(|(row, _)| *row).chain([row]).collect();
         let mut columns = Vec::new();
@@ -200,8 +204,8 @@ impl<'m> Projection<'m> {
                 if !vanishes || may_vanish && !self.is_limited() {
                     return Ok(Some(slot));
                 }
-                // l (a − b) = 0 says that a = b: a number that has to vanish is a common factor, and comes after the others
-                // of its class.
+                // l (a − b) = 0 says that a = b: a number that has to vanish comes after the others of its class, and one that makes
+                // a common factor vanish after all others.
                 let last = match may_vanish {
                     true if is_common => &mut common,
                     true => &mut vanishing,

@@ -63,12 +63,12 @@ pub(super) fn divided<'a>(items: &[&'a Item]) -> (Vec<&'a Item>, Vec<&'a Item>) 
 /// without a relation, `\forall x, y \in A,\; f(x, y) = 0`.
 fn for_all<'a>(items: &[&'a Item]) -> Option<(Vec<&'a Item>, Vec<&'a Item>)> {
     let first = items.iter().position(|item| is_significant(&item))?;
-    let is_quantor = matches!(&items[first].layout, Layout::Command(name) if name == "\\forall");
+    let is_quantifier = matches!(&items[first].layout, Layout::Command(name) if name == "\\forall");
     let ends = |item: &Item| separates(item) || item.layout == Layout::Other(':');
     let states = |from: usize| {
         let part = items[from..].iter().take_while(|item| !ends(item));
         part.filter_map(|item| relation(item)).next().is_some()
     };
-    let end = (first + 1..items.len()).find(|at| ends(items[*at]) && states(at + 1)).filter(|_| is_quantor)?;
+    let end = (first + 1..items.len()).find(|at| ends(items[*at]) && states(at + 1)).filter(|_| is_quantifier)?;
     Some((items[first..end].to_vec(), items[end + 1..].to_vec()))
 }

@@ -140,7 +140,7 @@ impl Course<'_, '_> {
         let is_concluded = || open.is_empty() && is_general && self.is_concluded(at, set, words);
         let found = match repairs.is_empty() {
             false => Some(Equation { repairs, ..self.equation(checker, at, claim)? }),
-            true if is_concluded() => self.off_by_a_factor(at, claim, &quick)?,
+            true if is_concluded() => self.concluded_off_by_a_factor(at, claim)?,
             true => None,
         };
         let Some(mut found) = found else { return Ok(None) };

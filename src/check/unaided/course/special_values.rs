@@ -17,6 +17,7 @@ use crate::check::verdict::report::Equation;
 use crate::code::Code;
 use crate::formula::{Expr, Node, Statement, SymbolId, text};
 use crate::latex::read_display;
+use crate::source::Span;
 
 /// The fewest symbols, numbers and operations of a formula in which an edit is sought.
 const FEWEST: usize = 6;
@@ -143,10 +144,6 @@ impl Course<'_, '_> {
     /// The places that the sentences between a display and the one before it state, the last first: `u = v/2`.
     fn places(&self, at: usize) -> Vec<(SymbolId, Expr)> {
         let notes = self.checker.notes;
-        let end = notes.equations[at].span.start;
-        let printed = notes.equations[..at].iter().filter(|display| !inline::is_inline(notes, display));
-        let start = printed.map(|display| display.span.end).filter(|before| *before <= end).max().unwrap_or(0);
-        let between = notes.inline.iter().filter(|span| span.start >= start && span.end <= end).rev();
         let read = |text: &str| {
             let model = self.checker.model;
             let reading = read_display(text, &mut model.symbols.clone(), &model.macros);
@@ -155,17 +152,34 @@ impl Course<'_, '_> {
                 _ => None,
             }
         };
-        between.filter_map(|span| read(notes.source.slice(body_of(notes, *span)?))).collect()
+        let mut found: Vec<(SymbolId, Expr)> =
+            self.in_sentences_before(at).filter_map(|span| read(notes.source.slice(body_of(notes, span)?))).collect();
+        found.reverse();
+        found
+    }
+
+    /// Where the formulas stand that the sentences between a display and the one before it contain.
+    pub(super) fn in_sentences_before(&self, at: usize) -> impl Iterator<Item = Span> {
+        let notes = self.checker.notes;
+        let end = notes.equations[at].span.start;
+        let printed = notes.equations[..at].iter().filter(|display| !inline::is_inline(notes, display));
+        let start = printed.map(|display| display.span.end).filter(|before| *before <= end).max().unwrap_or(0);
+        notes.inline.iter().copied().filter(move |span| span.start >= start && span.end <= end)
     }
 }
 
-/// A name and the formula beside it, if that is all that a statement says.
+/// A name and the formula beside it, if that is all that a statement says, and the formula is not 0.
 pub(super) fn named(statement: &Statement) -> Option<(SymbolId, &Expr)> {
-    let ([name, formula], [(relation, _)]) = (statement.members.as_slice(), statement.relations.as_slice()) else {
+    value_of(statement).filter(|(_, formula)| !formula.is_null())
+}
+
+/// A name and the value that a statement gives it, if that is all that it says.
+pub(super) fn value_of(statement: &Statement) -> Option<(SymbolId, &Expr)> {
+    let ([name, value], [(relation, _)]) = (statement.members.as_slice(), statement.relations.as_slice()) else {
         return None;
     };
     let is_one = is_equality(*relation) && statement.branch.is_none();
-    name.as_plain_symbol().filter(|_| is_one && !formula.is_null()).map(|id| (id, formula))
+    name.as_plain_symbol().filter(|_| is_one).map(|id| (id, value))
 }
 
 /// The number of symbols, numbers and operations of a formula.

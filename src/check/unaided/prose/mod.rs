@@ -10,11 +10,12 @@ use std::ops::Range;
 
 use crate::latex::lines::implication;
 use crate::notes::Notes;
+use crate::source::Span;
 
 use crate::check::prose_claims::words::{PASSING, ROOTS_OF};
 use crate::check::unaided::inline::is_inline;
 use crate::check::unaided::prose::words::{
-    ANEW, ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, SEVERAL, SOLUTION, WEAK,
+    ANEW, ANOTHER_THING, ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, SEVERAL, SOLUTION, WEAK,
 };
 
 /// The most bytes before a display that are taken for its words.
@@ -266,11 +267,19 @@ pub(super) fn speaks_of_several(notes: &Notes, at: usize) -> bool {
     sentence.split(|c: char| !c.is_alphabetic()).any(|word| SEVERAL.contains(&word))
 }
 
-/// Whether a sentence ends in the text between a formula and a display, before its end.
-pub(super) fn ends_a_sentence(text: &str) -> bool {
-    let text = text.trim_end().trim_end_matches(['.', ':', ',', ';']);
-    let ends = |(at, mark): (usize, &str)| text[at + mark.len()..].starts_with(char::is_whitespace);
-    text.match_indices(['.', '?', '!']).any(ends) || text.contains("\n\n")
+/// Whether a sentence since the last display begins with another thing: "A satellite on a circle is slower."
+pub(super) fn brings_another_thing(notes: &Notes, at: usize) -> bool {
+    let words = words_since_last(notes, at);
+    words.split(['.', '?', '!']).any(|sentence| {
+        let sentence = sentence.trim_start();
+        ANOTHER_THING.iter().any(|words| sentence.starts_with(words))
+    })
+}
+
+/// Whether no sentence ends between a formula and a display.
+pub(super) fn is_in_last_sentence(notes: &Notes, formula: Span, display: usize) -> bool {
+    let between = &notes.source.text[formula.end..display];
+    last_sentence(between).len() == between.trim_end().len()
 }
 
 /// The numbers and labels that a text cites.

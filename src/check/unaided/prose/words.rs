@@ -301,9 +301,16 @@ pub(super) const OTHER_CASE: &[&str] = &[
     "replac",
     "decelerat",
     "slows down",
+    "doubled",
+    "halved",
+    "tripled",
+    "twice as",
+    "half as",
     "reverse",
     // other languages
     "on the other hand",
+    "verdoppel",
+    "halbier",
     "dagegen",
     "umgekehrt",
     "nach oben",
@@ -349,7 +356,6 @@ pub(super) const SOLUTION: &[&str] = &[
 
 /// Words of several things, or of a part of one, of which a law for one holds with another number.
 pub(super) const SEVERAL: &[&str] = &[
-    "one",
     "two",
     "three",
     "four",
@@ -367,7 +373,6 @@ pub(super) const SEVERAL: &[&str] = &[
     "doubled",
     "half",
     "halved",
-    "third",
     "quarter",
     "total",
     "whole",
@@ -406,9 +411,11 @@ pub(super) const SEVERAL: &[&str] = &[
     "cada",
     "media",
     "mitad",
-    "due",
     "tre",
     "ogni",
     "entrambi",
     "metà",
 ];
+
+/// The beginnings of sentences about another thing than before.
+pub(super) const ANOTHER_THING: &[&str] = &["a ", "an ", "another ", "ein ", "eine ", "un ", "une ", "una ", "uno "];

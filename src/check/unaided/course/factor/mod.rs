@@ -22,7 +22,7 @@ use crate::check::verdict::repair::Repair;
 use crate::check::verdict::report::Equation;
 use crate::formula::Value;
 use crate::formula::units::in_si::has_units;
-use crate::formula::{Expr, Node, Relation, Statement};
+use crate::formula::{Expr, Node, Relation};
 use crate::latex::read_display;
 use crate::latex::slips::{self, Edit, Pool};
 use crate::notes::claims::Claim;
@@ -60,6 +60,7 @@ impl Course<'_, '_> {
         let Some(first) = set.iter().map(|premise| premise.at).min() else { return false };
         words.announced == Announced::Consequence
             && !prose::speaks_of_several(notes, origin)
+            && !prose::brings_another_thing(notes, origin)
             && !self.is_another_multiple(at, set)
             && set.iter().any(|premise| last.contains(&premise.at))
             && !set.iter().any(|premise| matches!(premise.said, Said::States(_)) || self.sets_a_value(premise.at))
@@ -84,31 +85,35 @@ impl Course<'_, '_> {
         has_same && !members(at).chain(members(only.at)).any(has_sum)
     }
 
-    /// The finding that a display is wrong, if one side is the other one but for a number. `quick` is the finding that it does not
-    /// hold.
+    /// The finding that a display is wrong, if one side is the other one but for a number, by the definitions alone. `quick` is the finding
+    /// that it does not hold.
     pub(in crate::check::unaided::course) fn off_by_a_factor(
         &self,
         at: usize,
         claim: &Claim,
         quick: &Equation,
     ) -> Result<Option<Equation>> {
+        let Some(off) = self.pair_that_is_off(at, &[], &may_be_off)? else { return Ok(None) };
+        let repairs = self.checker.own_repairs(at, quick, claim, Search::Likely)?;
+        self.wrong_within(at, claim, off, repairs)
+    }
+
+    /// The same for a conclusion, by the premises of a claim. There a name may stand on one side.
+    pub(in crate::check::unaided::course) fn concluded_off_by_a_factor(
+        &self,
+        at: usize,
+        claim: &Claim,
+    ) -> Result<Option<Equation>> {
+        let hypotheses = self.checker.hypotheses(claim)?;
+        let may_be_off = |side: &Expr| !side.is_null() && !has_units(side);
+        let Some(off) = self.pair_that_is_off(at, &hypotheses, &may_be_off)? else { return Ok(None) };
+        let repairs = self.lost_factors(at, &hypotheses)?;
+        self.wrong_within(at, claim, off, repairs)
+    }
+
+    /// The finding that the equality in a span of a display is wrong, with those of the repairs that pass.
+    fn wrong_within(&self, at: usize, claim: &Claim, off: Span, mut repairs: Vec<Repair>) -> Result<Option<Equation>> {
         let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
-        // Of log nobody knows the base.
-        if display.text.contains("\\log") {
-            return Ok(None);
-        }
-        let mut off = None;
-        let statements = &checker.readings[at].statements;
-        for statement in statements.iter().flatten() {
-            if off.is_none() {
-                off = self.pair_that_is_off(at, statement, claim)?.map(|pair| pair.shifted(display.body.start));
-            }
-        }
-        let Some(off) = off else { return Ok(None) };
-        let mut repairs = match claim.throughout.is_empty() {
-            true => checker.own_repairs(at, quick, claim, Search::Likely)?,
-            false => self.lost_factors(at, claim)?,
-        };
         repairs.retain(|repair| {
             matches!(repair.verdict, Verdict::Certified | Verdict::Verified)
                 && !repair.idle
@@ -117,37 +122,41 @@ impl Course<'_, '_> {
                 && !dimensions::are_spoilt(checker, at, repair)
         });
         let found = Equation { repairs, ..self.equation(checker, at, claim)? };
-        let is_alone = statements.len() == 1;
+        let is_alone = checker.readings[at].statements.len() == 1;
         Ok(only_within(&found, off).or(is_alone.then_some(found)))
     }
 
-    /// Two members of a statement, one after the other, that are the same but for a number.
-    fn pair_that_is_off(&self, at: usize, statement: &Statement, claim: &Claim) -> Result<Option<Span>> {
-        if !statement.conditions.is_empty() || statement.branch.is_some() {
+    /// Where two members, one after the other, are the same but for a number under hypotheses, and each of them `may_be_off`.
+    fn pair_that_is_off(
+        &self,
+        at: usize,
+        hypotheses: &[Hypothesis],
+        may_be_off: &dyn Fn(&Expr) -> bool,
+    ) -> Result<Option<Span>> {
+        let display = &self.checker.notes.equations[at];
+        // Of log nobody knows the base.
+        if display.text.contains("\\log") {
             return Ok(None);
         }
-        for (pair, (relation, _)) in statement.members.windows(2).zip(&statement.relations) {
-            let is_concluded = !claim.throughout.is_empty();
-            let may_be = is_equality(*relation) && pair.iter().all(|side| may_be_off(side, is_concluded));
-            if may_be && self.ratio_is_wrong(at, &pair[0], &pair[1], claim)? {
-                return Ok(Some(pair[0].span.to(pair[1].span)));
+        let statements = self.checker.readings[at].statements.iter().flatten();
+        for statement in statements.filter(|statement| statement.conditions.is_empty() && statement.branch.is_none()) {
+            for (pair, (relation, _)) in statement.members.windows(2).zip(&statement.relations) {
+                let may_be = is_equality(*relation) && pair.iter().all(may_be_off);
+                if may_be && self.ratio_is_wrong(at, hypotheses, &pair[0], &pair[1])? {
+                    return Ok(Some(pair[0].span.to(pair[1].span).shifted(display.body.start)));
+                }
             }
         }
         Ok(None)
     }
 
     /// Whether the ratio of two sides is a number other than 1, in all states.
-    fn ratio_is_wrong(&self, at: usize, lhs: &Expr, rhs: &Expr, claim: &Claim) -> Result<bool> {
+    fn ratio_is_wrong(&self, at: usize, hypotheses: &[Hypothesis], lhs: &Expr, rhs: &Expr) -> Result<bool> {
         // What differs by a sign may be about the other direction.
-        let may_turn = !self.uses_definitions(at) && claim.throughout.is_empty();
+        let may_turn = !self.uses_definitions(at) && hypotheses.is_empty();
         let least = if [lhs, rhs].into_iter().any(has_decimals) { ROUNDED } else { EQUAL };
-        let hypotheses =
-            self.checker.hypotheses(&Claim { throughout: claim.throughout.clone(), ..Claim::default() })?;
-        let ratio = self.ratio_where(&hypotheses, lhs, rhs)?;
-        let Some(ratio) = ratio.filter(|ratio| *ratio > 0.0 || may_turn) else {
-            return Ok(false);
-        };
-        Ok((ratio - 1.0).abs() > least)
+        let ratio = self.ratio_where(hypotheses, lhs, rhs)?.filter(|ratio| *ratio > 0.0 || may_turn);
+        Ok(ratio.is_some_and(|ratio| (ratio - 1.0).abs() > least))
     }
 
     /// The ratio of two formulas, if it is one number in all states.
@@ -166,13 +175,12 @@ impl Course<'_, '_> {
     }
 
     /// The corrections by a likely slip, or by a number that was lost, with which a display of two sides follows from hypotheses.
-    fn lost_factors(&self, at: usize, claim: &Claim) -> Result<Vec<Repair>> {
+    fn lost_factors(&self, at: usize, hypotheses: &[Hypothesis]) -> Result<Vec<Repair>> {
         let (checker, display) = (self.checker, &self.checker.notes.equations[at]);
         let [Ok(statement)] = checker.readings[at].statements.as_slice() else { return Ok(Vec::new()) };
         let [lhs, rhs] = statement.members.as_slice() else { return Ok(Vec::new()) };
         let Ok(link) = checker.link(lhs, Relation::Equal, rhs) else { return Ok(Vec::new()) };
-        let hypotheses = checker.hypotheses(claim)?;
-        let context = self.context(&hypotheses);
+        let context = self.context(hypotheses);
         let mode = context.mode(false, &[&link.lhs, &link.rhs]);
         let ensemble = context.ensemble(mode, false, STATES)?;
         let mut found: Vec<Repair> = Vec::new();
@@ -237,10 +245,9 @@ fn only_within(found: &Equation, span: Span) -> Option<Equation> {
     Some(Equation { finding, repairs, ok: false, ..weighed })
 }
 
-/// Whether a formula may be one side of what is off by a factor: nothing measured, and no name beside its definition, unless it is
-/// concluded.
-fn may_be_off(side: &Expr, is_concluded: bool) -> bool {
-    (is_concluded || side.as_plain_symbol().is_none()) && !side.is_null() && !has_units(side)
+/// Whether a formula may be one side of what is off by a factor: no name beside its definition, nothing measured.
+fn may_be_off(side: &Expr) -> bool {
+    side.as_plain_symbol().is_none() && !side.is_null() && !has_units(side)
 }
 
 fn has_decimals(side: &Expr) -> bool {

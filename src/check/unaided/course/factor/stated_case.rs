@@ -5,8 +5,7 @@
 
 use crate::Result;
 use crate::check::document::inferred::prose::body_of;
-use crate::check::model::claim::is_equality;
-use crate::check::unaided::course::Course;
+use crate::check::unaided::course::{Course, special_values};
 use crate::check::unaided::gate;
 use crate::check::unaided::inline;
 use crate::check::unaided::premises::Said;
@@ -76,10 +75,13 @@ impl Course<'_, '_> {
             return Ok(Some(gate::as_it_counts(follows)));
         }
         let quick = self.equation(&self.quick, at, &claim)?;
-        if quick.finding.verdict != Verdict::Refuted || self.rests_on_doubt(at) {
+        if quick.finding.verdict != Verdict::Refuted
+            || self.rests_on_doubt(at)
+            || prose::brings_another_thing(notes, at)
+        {
             return Ok(None);
         }
-        let Some(mut wrong) = self.off_by_a_factor(at, &claim, &quick)? else { return Ok(None) };
+        let Some(mut wrong) = self.concluded_off_by_a_factor(at, &claim)? else { return Ok(None) };
         wrong.finding.message = format!("this does not follow from {case}: {}", wrong.finding.message);
         self.blamed.extend(premise.map(|premise| (at, vec![premise])));
         Ok(Some(wrong))
@@ -109,16 +111,15 @@ impl Course<'_, '_> {
     fn values_in_last_sentence(&self, at: usize) -> Vec<Value> {
         let (notes, model) = (self.checker.notes, self.checker.model);
         let end = notes.equations[at].span.start;
-        let displays = notes.equations[..at].iter().filter(|display| !inline::is_inline(notes, display));
-        let start = displays.map(|display| display.span.end).filter(|before| *before <= end).max().unwrap_or(0);
-        let between = notes.inline.iter().filter(|span| span.start >= start && span.end <= end);
         let mut found = Vec::new();
-        for span in between.filter(|span| !prose::ends_a_sentence(&notes.source.text[span.end..end])) {
-            let Some(printed) = body_of(notes, *span).map(|body| notes.source.slice(body)) else { continue };
+        for span in self.in_sentences_before(at).filter(|span| prose::is_in_last_sentence(notes, *span, end)) {
+            let Some(printed) = body_of(notes, span).map(|body| notes.source.slice(body)) else { continue };
             let mut table = model.symbols.clone();
             let reading = read_display(printed, &mut table, &model.macros);
             for statement in reading.statements.iter().flatten() {
-                let Some((name, value)) = value_of(statement).filter(|(name, _)| self.seen.contains_key(name)) else {
+                let Some((name, value)) =
+                    special_values::value_of(statement).filter(|(name, _)| self.seen.contains_key(name))
+                else {
                     continue;
                 };
                 let symbols: Vec<SymbolId> = value.symbols().into_iter().map(|(id, _)| id).collect();
@@ -131,12 +132,4 @@ impl Course<'_, '_> {
         }
         found
     }
-}
-
-/// A name and the value that a statement gives it.
-fn value_of(statement: &Statement) -> Option<(SymbolId, &Expr)> {
-    let ([name, value], [(relation, _)]) = (statement.members.as_slice(), statement.relations.as_slice()) else {
-        return None;
-    };
-    name.as_plain_symbol().filter(|_| is_equality(*relation) && statement.branch.is_none()).map(|id| (id, value))
 }
