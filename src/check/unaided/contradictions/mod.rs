@@ -90,7 +90,7 @@ fn wrong_itself(checker: &Checker<'_>, at: usize, claim: &Claim) -> Result<Optio
 }
 
 /// Whether a correction puts in or leaves out a number as a factor.
-fn is_number(checker: &Checker<'_>, repair: &Repair) -> bool {
+pub(super) fn is_number(checker: &Checker<'_>, repair: &Repair) -> bool {
     let printed = checker.source.slice(repair.span);
     let has_letter = |text: &str| {
         let marks = ["\\frac", "\\tfrac", "\\dfrac", "\\cdot", "\\left", "\\right"];

@@ -4,6 +4,7 @@ use crate::Result;
 use crate::check::document::checker::Checker;
 use crate::check::model::meaning::Meaning;
 use crate::check::repair::suggest::Search;
+use crate::check::unaided::contradictions;
 use crate::check::unaided::course::{Course, named};
 use crate::check::unaided::dimensions;
 use crate::check::unaided::gate::{self, Basis};
@@ -100,6 +101,13 @@ impl Course<'_, '_> {
         let (model, before) = (checker.model, &self.seen);
         let around = gate::Around { model, before, origin, basis, words, solves: is_solution };
         repairs.retain(|repair| gate::is_likely(repair, display, &around) && !self.brings_doubt(at, repair));
+        // Of another thing a law holds with another number.
+        if !set.is_empty() && prose::brings_another_thing(checker.notes, origin) {
+            let is_of_a_number = |repair: &Repair| {
+                matches!(repair.slip, Slip::Number | Slip::Fraction) || contradictions::is_number(checker, repair)
+            };
+            repairs.retain(|repair| !is_of_a_number(repair));
+        }
         if is_supposed {
             repairs.retain(may_be_under_a_condition);
         }

@@ -16,6 +16,7 @@ use crate::check::prose_claims::words::{PASSING, ROOTS_OF};
 use crate::check::unaided::inline::is_inline;
 use crate::check::unaided::prose::words::{
     ANEW, ANOTHER_THING, ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, SEVERAL, SOLUTION, WEAK,
+    WHAT_IS_DONE,
 };
 
 /// The most bytes before a display that are taken for its words.
@@ -267,12 +268,14 @@ pub(super) fn speaks_of_several(notes: &Notes, at: usize) -> bool {
     sentence.split(|c: char| !c.is_alphabetic()).any(|word| SEVERAL.contains(&word))
 }
 
-/// Whether a sentence since the last display begins with another thing: "A satellite on a circle is slower."
+/// Whether a sentence since the last display begins with another thing, "A satellite on a circle is slower", and not with what is done,
+/// "A short calculation gives". Other numbers may hold for it.
 pub(super) fn brings_another_thing(notes: &Notes, at: usize) -> bool {
     let words = words_since_last(notes, at);
     words.split(['.', '?', '!']).any(|sentence| {
         let sentence = sentence.trim_start();
-        ANOTHER_THING.iter().any(|words| sentence.starts_with(words))
+        let noun = ANOTHER_THING.iter().find_map(|article| sentence.strip_prefix(article));
+        noun.is_some_and(|noun| !WHAT_IS_DONE.iter().any(|word| noun.starts_with(word)))
     })
 }
 

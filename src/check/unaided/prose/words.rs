@@ -419,3 +419,43 @@ pub(super) const SEVERAL: &[&str] = &[
 
 /// The beginnings of sentences about another thing than before.
 pub(super) const ANOTHER_THING: &[&str] = &["a ", "an ", "another ", "ein ", "eine ", "un ", "une ", "una ", "uno "];
+
+/// What is done, and what comes of it, after an article: no other thing.
+pub(super) const WHAT_IS_DONE: &[&str] = &[
+    "short",
+    "simple",
+    "quick",
+    "brief",
+    "little",
+    "direct",
+    "straightforward",
+    "calcul",
+    "computation",
+    "integration",
+    "differentiation",
+    "derivation",
+    "comparison",
+    "expansion",
+    "substitution",
+    "rearrangement",
+    "simplification",
+    "taylor",
+    "first",
+    "second",
+    "further",
+    "partial",
+    "particular",
+    "general",
+    "solution",
+    "consequence",
+    "result",
+    "look",
+    // other languages
+    "kurze",
+    "einfache",
+    "rechnung",
+    "lösung",
+    "vergleich",
+    "cálculo",
+    "calcolo",
+];
