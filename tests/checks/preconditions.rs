@@ -188,7 +188,7 @@ fn a_macro_does_not_hide_that_a_claim_restates_its_hypothesis() {
 fn a_common_factor_of_a_hypothesis_is_no_solution_where_it_cannot_vanish() {
     let claims = json!({ "constants": { "m, M, V, v, g, h": "> 0" } });
     let law = r"\frac12 (m + M) V^2 = (m + M) g h";
-    let claim = || json!({ "throughout": [law, "m v = (m + M) V"] });
+    let claim = || json!({ "assume": [law, "m v = (m + M) V"] });
     let speed = |under: &str| verdict(&claims, &[&format!(r"v = \frac{{m + M}}{{m}}\sqrt{{{under}}}")], claim());
     assert_eq!(speed("2 g h"), Verdict::Verified);
     assert_eq!(speed("g h"), Verdict::Refuted);
@@ -197,11 +197,11 @@ fn a_common_factor_of_a_hypothesis_is_no_solution_where_it_cannot_vanish() {
 /// All numbers of the second hypothesis are those for which the first one was solved.
 #[test]
 fn hypotheses_are_met_in_any_order() {
-    let claims = json!({ "constants": { "a, k, \\lambda": "> 0", "\\theta": "0 < x < \\pi/2" } });
+    let claims = json!({ "constants": { "a, k, \\lambda": "> 0", "\\theta": "(0, \\pi/2)" } });
     let (law, value) = (r"a \sin\theta = k \lambda", "k = 1");
     for order in [[law, value], [value, law]] {
         let found =
-            |right: &str| verdict(&claims, &[&format!(r"\sin\theta = {right}")], json!({ "throughout": order }));
+            |right: &str| verdict(&claims, &[&format!(r"\sin\theta = {right}")], json!({ "assume": order }));
         assert_eq!(found(r"\frac{\lambda}{a}"), Verdict::Verified, "{order:?}");
         assert_eq!(found(r"\frac{2\lambda}{a}"), Verdict::Refuted, "{order:?}");
     }
