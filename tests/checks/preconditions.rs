@@ -200,8 +200,7 @@ fn hypotheses_are_met_in_any_order() {
     let claims = json!({ "constants": { "a, k, \\lambda": "> 0", "\\theta": "(0, \\pi/2)" } });
     let (law, value) = (r"a \sin\theta = k \lambda", "k = 1");
     for order in [[law, value], [value, law]] {
-        let found =
-            |right: &str| verdict(&claims, &[&format!(r"\sin\theta = {right}")], json!({ "assume": order }));
+        let found = |right: &str| verdict(&claims, &[&format!(r"\sin\theta = {right}")], json!({ "assume": order }));
         assert_eq!(found(r"\frac{\lambda}{a}"), Verdict::Verified, "{order:?}");
         assert_eq!(found(r"\frac{2\lambda}{a}"), Verdict::Refuted, "{order:?}");
     }

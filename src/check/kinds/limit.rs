@@ -165,20 +165,27 @@ pub(crate) fn meet_at(
         let steps = Steps { context, mode, base, rules: &ensemble.rules, variable, towards };
         let at = |k: f64, side: f64| {
             let state = steps.state(k, side)?;
-            let (Value::Scalar(a), Value::Scalar(b)) =
-                (state.now(&link.lhs, &[]).ok()?, state.now(&link.rhs, &[]).ok()?)
-            else {
-                return None;
+            let value = |formula: &Expr| match state.now(formula, &[]) {
+                Ok(Value::Scalar(value)) => Some(value.value),
+                _ => None,
             };
-            Some(a.value / b.value - 1.0)
+            Some([value(&link.lhs)?, value(&link.rhs)?])
         };
-        [1.0, -1.0].into_iter().any(|side| at(BESIDE, side).is_some_and(|gap| gap.abs() < UNSETTLED))
+        let is_near = |side: f64| {
+            let (Some([a, b]), Some([c, d])) = (at(BESIDE, side), at(CLOSER, side)) else { return false };
+            let (gap, closer) = ((a / b - 1.0).abs(), (c / d - 1.0).abs());
+            // Graphs that cross at a point are no approximation there: between finite values it is better than linear, or constant.
+            let crosses = (c / a).ln().abs() < 1.0 && b != d && closer > gap * (1.5 * (BESIDE - CLOSER)).exp2();
+            gap < UNSETTLED && !crosses
+        };
+        [1.0, -1.0].into_iter().any(is_near)
     };
     Ok(ensemble.states.iter().zip(&ensemble.bases).any(meets))
 }
 
-/// The step at which a symbol has nearly a value.
+/// The step at which a symbol has nearly a value, and a later one.
 const BESIDE: f64 = 8.0;
+const CLOSER: f64 = 12.0;
 
 /// Pairs of steps on the way to a limit, those farthest away first.
 const FAR_ENOUGH: [[f64; 2]; 3] = [[10.0, 14.0], [4.0, 6.0], [0.0, 1.0]];

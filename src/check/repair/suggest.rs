@@ -453,8 +453,12 @@ pub(crate) fn agree_memberwise(a: &Reading, b: &Reading, alike: impl Fn(&Expr, &
     a.len() == b.len() && a.into_iter().zip(b).all(same)
 }
 
+/// The worst verdict of some parts. A part that gives a name a formula says nothing of the others.
 fn worst(parts: &[Part]) -> Verdict {
-    parts.iter().map(|part| part.finding.verdict).max_by_key(|verdict| verdict.severity()).unwrap_or(Verdict::Verified)
+    let all = || parts.iter().map(|part| part.finding.verdict);
+    let worst = |verdicts: &mut dyn Iterator<Item = Verdict>| verdicts.max_by_key(|verdict| verdict.severity());
+    let of_claims = worst(&mut all().filter(|verdict| *verdict != Verdict::Definition));
+    of_claims.or_else(|| worst(&mut all())).unwrap_or(Verdict::Verified)
 }
 
 /// Whether the file has the text that an edit changes, in a display that starts at `offset`. It has not where an erratum

@@ -14,15 +14,16 @@
 //! Offers [`unaided`], [`draft`] for the inferred claims as a file, and `guessed` for the check with such a file. Knows all
 //! other folders of `check`.
 
+mod calculus;
 mod complex;
 mod contradictions;
 mod course;
 mod dimensions;
 mod explanations;
+mod formulas;
 mod gate;
 pub(super) mod guess;
 mod inline;
-mod integrands;
 mod laws;
 mod links;
 mod motion;
@@ -60,6 +61,7 @@ use crate::notes::{Claims, Display, Notes, Numbered};
 use crate::source::Span;
 
 use guess::corrections::Corrections;
+use guess::declarations::Formula;
 #[cfg(feature = "cli")]
 pub use guess::draft::draft;
 use guess::{arguments, inference, scopes};
@@ -87,9 +89,13 @@ fn by_scopes(run: &Run<'_>, notes: &Notes, corrections: Option<&Corrections>) ->
     // A letter that a later section uses for something else is another letter, so a new scope begins there.
     while equations.len() < notes.equations.len() {
         let (part, scope) = scopes::from(&notes, equations.len(), &outline);
-        let claims = inference::claims(run, &part)?;
-        let claims = corrections.map_or(Ok(claims.clone()), |corrections| corrections.applied(claims))?;
-        let (found, concluded) = judged(run, &claims, &part, &scope)?;
+        let infer = |formulas: &[Formula]| {
+            let claims = inference::claims_with(run, &part, formulas)?;
+            corrections.map_or(Ok(claims.clone()), |corrections| corrections.applied(claims))
+        };
+        let claims = infer(&[])?;
+        let (mut found, concluded) = judged(run, &claims, &part, &scope)?;
+        with_formulas(run, (&claims, &infer), &part, &scope, &mut found)?;
         equations.extend(found);
         let new: Vec<String> = concluded.into_iter().filter(|known| !inferred.contains(known)).collect();
         inferred.extend(new);
@@ -182,6 +188,36 @@ fn judged(run: &Run<'_>, claims: &Claims, notes: &Notes, scope: &scope::Scope) -
     Ok((found, inferred))
 }
 
+/// Judges the displays once more that differentiate or integrate names with printed formulas, with these as definitions.
+fn with_formulas(
+    run: &Run<'_>,
+    (claims, infer): (&Claims, &dyn Fn(&[Formula]) -> Result<Claims>),
+    notes: &Notes,
+    scope: &scope::Scope,
+    found: &mut [Equation],
+) -> Result<()> {
+    let claims = prose_claims::with_guesses(run, claims, notes);
+    let formulas = with_checker(run, &claims, notes, |checker| Ok(formulas::sought(&checker, scope, found)))?;
+    if formulas.given.is_empty() {
+        return Ok(());
+    }
+    // The formulas help where they can be read, and take nothing away.
+    let again = infer(&formulas.given).and_then(|claims| {
+        let claims = prose_claims::with_guesses(run, &claims, notes);
+        let scope = &scope::Scope {
+            carried: scope.carried,
+            sections: scope.sections.clone(),
+            evaluated: formulas.evaluated.clone(),
+            ..scope::Scope::whole()
+        };
+        with_checker(run, &claims, notes, |checker| course::judged(run, &checker, scope))
+    });
+    if let Ok(again) = again {
+        formulas.merged(found, &again.found);
+    }
+    Ok(())
+}
+
 /// The findings, where the equalities of each chain that is taken for granted are judged one by one.
 fn with_links(
     run: &Run<'_>,
@@ -197,7 +233,7 @@ fn with_links(
         Some(place) => found.get(place).cloned(),
         None => None,
     };
-    let longer = scope::Scope { sections: Vec::new(), links: apart.links.clone(), ..*scope };
+    let longer = scope::Scope { carried: scope.carried, links: apart.links.clone(), ..scope::Scope::whole() };
     let judged = with_checker(run, claims, &apart.notes, |checker| {
         course::judged_again(run, &checker, &longer, (&known, &premises))
     });

@@ -16,14 +16,14 @@ use crate::source::Span;
 
 use crate::check::kinds::limit::{self, Towards};
 use crate::check::kinds::series;
-use crate::check::model::claim::{Hypothesis, Link};
+use crate::check::model::claim::{Hypothesis, Link, is_equality};
 use crate::check::model::free_symbols::drawn;
 use crate::check::model::meaning::Meaning;
 use crate::check::model::sampling::Spread;
 use crate::check::sample::context::{Context, Options};
+use crate::check::unaided::calculus::integrals;
 use crate::check::unaided::course::Course;
 use crate::check::unaided::gate;
-use crate::check::unaided::integrands;
 use crate::check::unaided::{prose, remarks};
 use crate::check::verdict::report::Equation;
 
@@ -110,8 +110,18 @@ impl Course<'_, '_> {
 
     /// Whether nothing says how an integrand of a display depends on the letter of its integral.
     pub(super) fn hides_a_letter(&self, at: usize) -> bool {
-        let checker = self.checker;
-        integrands::hides_its_letter(&checker.notes.equations[at].text, &checker.model.macros)
+        self.hides_a_letter_in(&self.checker.notes.equations[at].text)
+    }
+
+    /// The same of a text. What the formula of a name contains, the name depends on.
+    pub(super) fn hides_a_letter_in(&self, text: &str) -> bool {
+        let model = self.checker.model;
+        let depends = |name: &Name, letter: &Name| {
+            let Some((id, _)) = model.symbols.find(name) else { return false };
+            let Some(Meaning::Defined(formula)) = model.meaning(id) else { return false };
+            gate::names(formula, model).into_iter().any(|inner| model.symbols.entry(inner).name == *letter)
+        };
+        integrals::hides_its_letter(text, &model.macros, &depends)
     }
 
     /// The finding on a display with ≈ for which nothing says when it holds, if it holds in a limit, or is a slip away from that.
@@ -191,14 +201,19 @@ impl Course<'_, '_> {
         Ok(None)
     }
 
-    /// The two sides of the only ≈ of a display, if it has no other relation.
+    /// The two sides of the only ≈ of a display, if it has no other relation, or only equalities before it: `d = A ≈ B`.
     fn only_approximation(&self, at: usize) -> Option<Link> {
         let [Ok(statement)] = self.checker.readings[at].statements.as_slice() else { return None };
-        let ([lhs, rhs], [(Relation::Approximately, _)]) =
+        let ([before @ .., lhs, rhs], [equal @ .., (Relation::Approximately, _)]) =
             (statement.members.as_slice(), statement.relations.as_slice())
         else {
             return None;
         };
+        // The name that the chain gives a formula, and other forms of this.
+        let is_named = before.first().is_none_or(|member| member.as_plain_symbol().is_some());
+        if !is_named || !equal.iter().all(|(relation, _)| is_equality(*relation)) {
+            return None;
+        }
         let mut has_decimals = false;
         for side in [lhs, rhs] {
             side.walk(&mut |part| has_decimals |= matches!(&part.node, Node::Number(digits) if digits.contains('.')));

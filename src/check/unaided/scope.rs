@@ -8,6 +8,8 @@ pub(super) struct Scope {
     pub sections: Vec<usize>,
     /// The equalities of chains that are displays at the end of the notes, in their order.
     pub links: Vec<Link>,
+    /// The places of the displays that print the rate or derivative of a formula which stands beside them.
+    pub evaluated: Vec<usize>,
 }
 
 /// An equality of a chain that is a display of its own.
@@ -22,7 +24,7 @@ pub(super) struct Link {
 impl Scope {
     /// All displays of notes as one scope.
     pub fn whole() -> Scope {
-        Scope { carried: 0, sections: Vec::new(), links: Vec::new() }
+        Scope { carried: 0, sections: Vec::new(), links: Vec::new(), evaluated: Vec::new() }
     }
 
     /// The place at which a display of notes with this many counts: that of its chain, if it is an equality of one.

@@ -206,7 +206,7 @@ impl Reader<'_> {
                 let inner = self.item(nucleus)?;
                 self.evaluated(inner, (Some(sub), None), span)?
             }
-            false => self.part(nucleus, sub, span)?,
+            false => self.held_or_part(nucleus, sub, span)?,
         };
         match sup {
             Some(sup) => self.raised(part, sup, span),
@@ -313,7 +313,7 @@ impl Reader<'_> {
     }
 
     /// `(\vec\omega \times \vec r)_a`, `(R^T)_{ab}`: a component along the fixed axes, an entry.
-    fn part(&mut self, fence: &Item, sub: &Item, span: Span) -> Read<Expr> {
+    pub(super) fn part(&mut self, fence: &Item, sub: &Item, span: Span) -> Read<Expr> {
         let is_partial = |item: &Item| match &item.layout {
             Layout::Fraction(above, _) => {
                 matches!(contents(above), [Item { layout: Layout::Command(name), .. }, ..] if name == "\\partial")

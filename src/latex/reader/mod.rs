@@ -14,6 +14,7 @@
 //! | `declared_functions` | `V(r)`, `V'(r)`: functions that are declared or that a display defines |
 //! | `derivatives` | `\frac{d}{dt}`, `dx/dt`; overdots such as `\dot x` are in `latex::overdots` |
 //! | `partial_derivatives` | `\frac{\partial L}{\partial \dot q}` and other derivatives by a symbol |
+//! | `held_derivatives` | `(\partial p/\partial V)_T` |
 //! | `sums` | `\sum` |
 //! | `integrals` | `\int` over a declared continuum, and `\lim` |
 //! | `state` | the reader itself: symbol table, branch of ±, open sums |
@@ -59,6 +60,7 @@ mod atoms;
 mod declared_functions;
 mod derivatives;
 mod functions;
+mod held_derivatives;
 mod integrals;
 pub(super) mod items;
 mod partial_derivatives;

@@ -28,8 +28,8 @@ enum Mark {
 /// A fraction that is a derivative: its mark, its order, what stands in the numerator, and the variables.
 pub(super) struct Operator<'i> {
     mark: Mark,
-    operand: &'i [Item],
-    by: Vec<(&'i Item, Variable)>,
+    pub(super) operand: &'i [Item],
+    pub(super) by: Vec<(&'i Item, Variable)>,
     span: Span,
 }
 
@@ -376,7 +376,7 @@ impl Reader<'_> {
             )
             .help("write \\partial for the partial derivative")),
             // A free function of which nothing says what it depends on.
-            _ if formula.as_plain_symbol().is_some() && others.len() == 1 && !others.iter().any(is_by) => {
+            _ if others.len() == 1 && formula.as_plain_symbol() == Some(others[0].id) && !is_by(&others[0]) => {
                 Err(self.refused(&NoDerivative::Unknown(others[0].id), span))
             }
             _ if self.symbols.open && !others.iter().any(is_by) && !others.is_empty() => {

@@ -134,6 +134,20 @@ pub(super) fn contradicted(equation: &Equation, other: &str) -> Equation {
     undecided(equation, format!("({other}) contradicts this, and one of the two is wrong"))
 }
 
+/// A display that others contradict together, where nobody can tell which of them is wrong.
+pub(super) fn contradicted_by_several(equation: &Equation, others: &[String]) -> Equation {
+    undecided(equation, format!("{} contradict this together, and one of these displays is wrong", listed(others)))
+}
+
+/// Names of displays, as in a sentence: (1), (2) and (3).
+fn listed(ids: &[String]) -> String {
+    let all: Vec<String> = ids.iter().map(|id| format!("({id})")).collect();
+    match all.as_slice() {
+        [before @ .., last] if !before.is_empty() => format!("{} and {last}", before.join(", ")),
+        all => all.concat(),
+    }
+}
+
 /// A display that is left open, for the reason that the message gives.
 pub(super) fn undecided(equation: &Equation, message: String) -> Equation {
     let finding = Finding::new(Code::NotDecided, Verdict::Undecided, equation.finding.span, message);
@@ -142,7 +156,16 @@ pub(super) fn undecided(equation: &Equation, message: String) -> Equation {
 
 /// A display that contradicts another one, where nobody can tell which of the two is wrong; `repair` is an edit of the other.
 pub(super) fn open(equation: &Equation, other: &str, repair: Repair) -> Equation {
-    let message = format!("this contradicts ({other}), and one of the two is wrong");
+    open_beside(equation, format!("this contradicts ({other}), and one of the two is wrong"), repair)
+}
+
+/// The same where several displays contradict it together; `repair` is an edit of one of them.
+pub(super) fn open_beside_several(equation: &Equation, others: &[String], repair: Repair) -> Equation {
+    let message = format!("this contradicts {}, and one of these displays is wrong", listed(others));
+    open_beside(equation, message, repair)
+}
+
+fn open_beside(equation: &Equation, message: String, repair: Repair) -> Equation {
     let finding =
         Finding { verdict: Verdict::Undecided, code: Code::Contradiction, message, ..equation.finding.clone() };
     let repairs = equation.repairs.iter().take(1).cloned().chain([repair]).collect();

@@ -7,7 +7,9 @@ use crate::Result;
 use crate::check::document::checker::Checker;
 use crate::check::repair::culprit::is_common;
 use crate::check::unaided::contradictions::premises::edited;
-use crate::check::unaided::contradictions::{consistent, contradicted, gives_its_name, open, refuted, wrong_itself};
+use crate::check::unaided::contradictions::{
+    consistent, contradicted, contradicted_by_several, gives_its_name, open, open_beside_several, refuted, wrong_itself,
+};
 use crate::check::unaided::course::Course;
 use crate::check::unaided::dimensions;
 use crate::check::unaided::gate;
@@ -94,6 +96,13 @@ pub(in crate::check::unaided) fn against_premises(course: &Course<'_, '_>, found
                 continue;
             };
             let (id, name) = (found[place].id.clone(), found[premised].id.clone());
+            let beside = beside(course, (*at, set, premise), found);
+            if !beside.is_empty() {
+                let others = |own: &String| [std::slice::from_ref(own), &beside].concat();
+                found[premised] = contradicted_by_several(&found[premised], &others(&id));
+                found[place] = open_beside_several(&found[place], &others(&name), repair);
+                break;
+            }
             let claim = premises::claim(&set.iter().collect::<Vec<&Premise>>());
             if let Some(wrong) = wrong_itself(course.checker, *at, &claim)? {
                 found[premised] = contradicted(&found[premised], &id);
@@ -106,6 +115,36 @@ pub(in crate::check::unaided) fn against_premises(course: &Course<'_, '_>, found
         }
     }
     Ok(())
+}
+
+/// The other displays that may be wrong where one does not follow from a premise: the other premises, and the definitions of which
+/// no display that follows uses the name.
+fn beside(
+    course: &Course<'_, '_>,
+    (at, set, premise): (usize, &[Premise], &Premise),
+    found: &[Equation],
+) -> Vec<String> {
+    let (checker, first) = (course.checker, course.scope.carried);
+    let names = |at: usize| {
+        let members = checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+        members.flat_map(|member| gate::names(member, checker.model)).collect::<Vec<SymbolId>>()
+    };
+    let used = [names(at), names(premise.at)].concat();
+    let is_tested = |id: SymbolId| {
+        let follows = |equation: &Equation| matches!(equation.finding.verdict, Verdict::Certified | Verdict::Verified);
+        (0..found.len()).any(|place| follows(&found[place]) && names(first + place).contains(&id))
+    };
+    let is_doubtful = |place: &usize| {
+        let introduced = &checker.readings[*place].introduced;
+        introduced.iter().any(|new| used.contains(&new.symbol) && !is_tested(new.symbol))
+    };
+    let definitions = (0..at).filter(|place| *place != premise.at).filter(is_doubtful);
+    let premises = set.iter().map(|other| other.at).filter(|other| *other != premise.at);
+    let mut all: Vec<usize> = definitions.chain(premises).collect();
+    all.retain(|place| !inline::is_inline(checker.notes, &checker.notes.equations[*place]));
+    all.sort_unstable();
+    all.dedup();
+    all.into_iter().filter_map(|place| checker.notes.equations[place].id().map(str::to_owned)).collect()
 }
 
 /// Whether a relation contains a name to which only a later display gives a formula, as w' before `w(\ell) = …`: the author may have

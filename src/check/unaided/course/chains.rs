@@ -4,7 +4,6 @@
 use crate::Result;
 use crate::check::unaided::course::Course;
 use crate::check::unaided::course::special_values::ROUNDING;
-use crate::check::unaided::integrands;
 use crate::check::verdict::repair::Repair;
 use crate::formula::{Expr, Statement};
 use crate::latex::read_display;
@@ -19,7 +18,7 @@ impl Course<'_, '_> {
             return false;
         }
         let corrected = self.corrected(chain, repair);
-        let hides = |text: &str| integrands::hides_its_letter(text, &model.macros);
+        let hides = |text: &str| self.hides_a_letter_in(text);
         if hides(&corrected) && !hides(&display.text) {
             return true;
         }

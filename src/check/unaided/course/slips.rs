@@ -61,8 +61,12 @@ impl Course<'_, '_> {
             || claim.equilibrium.is_some()
             || claim.secular_for.is_some()
             || checker.readings[at].introduced.iter().any(is_frequency);
+        let is_evaluated = self.scope.evaluated.contains(&at);
         let solves = set.is_empty()
-            && (is_claimed || solutions::is_printed(checker, at, claim) || words.connected && self.restates(at));
+            && (is_claimed
+                || is_evaluated
+                || solutions::is_printed(checker, at, claim)
+                || words.connected && self.restates(at));
         let is_another_case = words.other_case && !self.is_by_itself(at) || self.is_about_another(at);
         let is_supposed =
             words.announced.is_supposed() && !is_claimed && !(words.only_nearness && self.approximates(at));

@@ -7,6 +7,7 @@
 //! | `lagrangian` | which name is the Lagrangian |
 //! | `letters` | what h, i and hats mean |
 //! | `inference` | the claims file that is inferred |
+//! | `declarations` | what it declares |
 //! | `arguments` | the Lagrangian with its arguments |
 //! | `order` | displays that use what later ones define |
 //! | `headings` | where sections and examples begin |
@@ -22,6 +23,7 @@
 
 pub(super) mod arguments;
 pub(super) mod corrections;
+pub(super) mod declarations;
 #[cfg(feature = "cli")]
 pub(super) mod draft;
 mod headings;

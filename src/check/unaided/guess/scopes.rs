@@ -187,7 +187,7 @@ pub(crate) fn from(notes: &Notes, first: usize, outline: &Outline) -> (Notes, Sc
     if outline.systems.len() > 1 {
         notes = without_names_of_others(&notes, outline, carried.len());
     }
-    (notes, Scope { carried: carried.len(), sections: starts, links: Vec::new() })
+    (notes, Scope { carried: carried.len(), sections: starts, links: Vec::new(), evaluated: Vec::new() })
 }
 
 /// The notes of a scope, in which each `L = T - V = …` is `L = …`, if T and V have formulas in other systems only.

@@ -63,6 +63,9 @@ impl Reader<'_> {
         {
             return Ok(found);
         }
+        if let Some(value) = self.at_a_time((&expr, id), sup, items, cursor)? {
+            return Ok(value);
+        }
         match items.get(*cursor) {
             // `x(t)^2` is the square of x.
             Some(Item { layout: Layout::Scripts { nucleus, sub: None, sup: Some(above), primes: 0 }, .. })

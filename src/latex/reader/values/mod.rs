@@ -24,6 +24,7 @@ pub(super) use bars::Place;
 
 use crate::formula::SymbolId;
 use crate::formula::calculus::places::{at, depends_on};
+use crate::formula::derivative::{self, Scope};
 use crate::formula::symbols::{Kind, Name};
 use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
@@ -77,7 +78,7 @@ impl Reader<'_> {
 
     /// A formula in which no definition, no rate and no vector hides the letter.
     pub(super) fn written_out(&self, body: &Expr, letter: SymbolId) -> Read<Expr> {
-        let mut body = body.clone();
+        let mut body = self.with_rates_formed(body, letter);
         let hidden = |id: SymbolId, depth: usize| self.hides(id, letter, depth);
         let mut depth = 0;
         while body.symbols().iter().any(|(id, _)| hidden(*id, 0)) {
@@ -94,6 +95,7 @@ impl Reader<'_> {
                 }
                 _ => None,
             });
+            body = self.with_rates_formed(&body, letter);
         }
         let entry = self.symbols.entry(letter);
         let is_time = self.symbols.time.as_ref() == Some(&entry.name);
@@ -128,6 +130,30 @@ impl Reader<'_> {
         fault.map_or(Ok(body), Err)
     }
 
+    /// A formula in which the rates of what the time gives a value are formulas of the time, where the letter is the time.
+    fn with_rates_formed(&self, body: &Expr, letter: SymbolId) -> Expr {
+        let mut body = body.clone();
+        if self.symbols.time.as_ref() != Some(&self.symbols.entry(letter).name) {
+            return body;
+        }
+        let (span, scope) = (body.span, Scope { symbols: self.symbols, fixed: &[] });
+        body.substitute(&|node| {
+            let (order, mut formed) = match node {
+                Node::Symbol { id, indices, dots } if *dots > 0 && self.hides(*id, letter, 0) => {
+                    (*dots, Expr::new(Node::Symbol { id: *id, indices: indices.clone(), dots: 0 }, span))
+                }
+                Node::TimeDerivative(order, inner) => (*order, inner.as_ref().clone()),
+                _ => return None,
+            };
+            for _ in 0..order {
+                formed = derivative::rate(&formed, scope, span).ok()?;
+            }
+            // What still has a rate is no formula of the time alone.
+            formed.symbols().iter().all(|(_, dots)| *dots == 0).then_some(formed)
+        });
+        body
+    }
+
     /// Refuses what contains a function without a formula. A polynomial stands for it, and what holds for the sum or
     /// the integral of every such polynomial need not hold for every function.
     pub(super) fn without_any_function(&self, body: &Expr) -> Read<()> {
@@ -153,7 +179,7 @@ impl Reader<'_> {
     }
 
     /// Whether a definition contains a letter.
-    fn hides(&self, id: SymbolId, letter: SymbolId, depth: usize) -> bool {
+    pub(super) fn hides(&self, id: SymbolId, letter: SymbolId, depth: usize) -> bool {
         let Some(formula) = &self.symbols.entry(id).definition else { return false };
         id != letter
             && depth < DEEPEST

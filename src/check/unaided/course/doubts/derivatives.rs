@@ -5,23 +5,13 @@
 //! its rate, or where the variable is the time or a coordinate of the motion.
 
 use crate::check::model::meaning::Meaning;
+use crate::check::unaided::calculus::derivatives::{self, Derivative};
 use crate::check::unaided::course::Course;
 use crate::check::unaided::gate;
 use crate::formula::symbols::Name;
 use crate::formula::{Expr, Node, SymbolId};
-use crate::latex::layout::values::{ends_term, is_d_or_partial, parts_of};
-use crate::latex::layout::{Item, Layout, contents, typeset_items};
-use crate::latex::names;
+use crate::latex::layout::typeset_items;
 use crate::source::Span;
-
-/// A derivative in print.
-struct Printed {
-    span: Span,
-    /// The names in what is differentiated.
-    of: Vec<Name>,
-    /// The variables.
-    by: Vec<Name>,
-}
 
 impl Course<'_, '_> {
     /// Whether a derivative that was read as 0 without a reason stands in a display, or in a formula that it uses.
@@ -43,14 +33,14 @@ impl Course<'_, '_> {
         }
         let Ok(items) = typeset_items(text, &model.macros) else { return false };
         let mut printed = Vec::new();
-        collect(&items, &mut printed);
+        derivatives::collect(&items, &mut printed);
         let is_read_as_zero =
-            |one: &Printed| zeros.iter().any(|zero| zero.start == one.span.start && zero.end >= one.span.end);
+            |one: &Derivative| zeros.iter().any(|zero| zero.start == one.span.start && zero.end >= one.span.end);
         printed.iter().filter(|one| is_read_as_zero(one)).any(|one| !self.is_zero(one))
     }
 
     /// Whether a derivative is 0 by the formula of what is differentiated.
-    fn is_zero(&self, derivative: &Printed) -> bool {
+    fn is_zero(&self, derivative: &Derivative) -> bool {
         let model = self.checker.model;
         let ids = |names: &[Name]| -> Vec<SymbolId> {
             names.iter().filter_map(|name| model.symbols.find(name).map(|(id, _)| id)).collect()
@@ -78,59 +68,4 @@ impl Course<'_, '_> {
         is_known && is_by_time
             || !by.is_empty() && by.iter().all(|variable| contains(variable) || is_known && runs(variable))
     }
-}
-
-/// The derivatives in items: `\frac{\partial u}{\partial x}`, `\frac{\partial}{\partial x} u`, `\partial_x u`.
-fn collect(items: &[Item], found: &mut Vec<Printed>) {
-    for (at, item) in items.iter().enumerate() {
-        let rest = &items[at + 1..];
-        match &item.layout {
-            Layout::Fraction(above, below) => {
-                let (above, below) = (contents(above), contents(below));
-                let is_mark = |items: &[Item]| items.first().is_some_and(|first| is_d_or_partial(nucleus(first)));
-                if is_mark(above) && is_mark(below) {
-                    let mut by = names_in(below);
-                    by.dedup();
-                    let operand = solid(&above[1..]);
-                    let of = if operand.is_empty() { names_in(next_term(rest)) } else { names_in(&above[1..]) };
-                    found.push(Printed { span: item.span, of, by });
-                }
-            }
-            Layout::Scripts { nucleus, sub: Some(sub), .. } if matches!(&nucleus.layout, Layout::Command(name) if name == "\\partial") =>
-            {
-                found.push(Printed { span: item.span, of: names_in(next_term(rest)), by: names_in(contents(sub)) });
-            }
-            _ => {}
-        }
-        parts_of(item).into_iter().for_each(|part| collect(part, found));
-    }
-}
-
-/// The item without its scripts.
-fn nucleus(item: &Item) -> &Item {
-    match &item.layout {
-        Layout::Scripts { nucleus, .. } => nucleus,
-        _ => item,
-    }
-}
-
-fn solid(items: &[Item]) -> Vec<&Item> {
-    items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect()
-}
-
-/// The items up to the end of a term.
-fn next_term(items: &[Item]) -> &[Item] {
-    &items[..items.iter().position(ends_term).unwrap_or(items.len())]
-}
-
-/// The names in items.
-fn names_in(items: &[Item]) -> Vec<Name> {
-    let mut found = Vec::new();
-    for item in items.iter().filter(|item| !is_d_or_partial(nucleus(item))) {
-        match names::printed(item, None) {
-            Some(printed) => found.push(printed.name),
-            None => parts_of(item).into_iter().for_each(|part| found.extend(names_in(part))),
-        }
-    }
-    found
 }

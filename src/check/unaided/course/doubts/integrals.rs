@@ -4,8 +4,8 @@
 //! Such a letter is read as a constant. What is concluded from that may not be what the author means.
 
 use crate::check::model::meaning::Meaning;
+use crate::check::unaided::calculus::integrals::{self, Integral};
 use crate::check::unaided::course::Course;
-use crate::check::unaided::integrands::{self, Integral};
 use crate::check::unaided::prose;
 use crate::check::usage::names_of;
 use crate::formula::symbols::Name;
@@ -60,8 +60,8 @@ impl Course<'_, '_> {
             return None;
         }
         let items = typeset_items(&display.text, &model.macros).ok()?;
-        let mut integrals = Vec::new();
-        integrands::collect(&items, &mut integrals);
+        let mut printed = Vec::new();
+        integrals::collect(&items, &mut printed);
         let is_constant = |name: &&Name| {
             let id = model.symbols.find(name).map(|(id, _)| id);
             id.is_some_and(|id| {
@@ -69,7 +69,7 @@ impl Course<'_, '_> {
                 is_one && model.symbols.entry(id).coefficient.is_none()
             })
         };
-        integrals.iter().find_map(|integral| {
+        printed.iter().find_map(|integral| {
             let mut others = integral.names.iter().filter(|name| **name != integral.letter).filter(is_constant);
             others.find(|name| self.may_depend(at, name, integral)).map(|name| text::plain(&name.to_string()))
         })

@@ -7,25 +7,32 @@ use crate::latex::layout::values::{ends_term, is_d, is_integral, parts_of};
 use crate::latex::layout::{Item, Layout, typeset_items};
 use crate::latex::{Macros, names};
 
-/// Whether a display has an integral whose integrand contains names, and not the letter.
-pub(super) fn hides_its_letter(text: &str, macros: &Macros) -> bool {
-    text.contains("\\int") && typeset_items(text, macros).is_ok_and(|items| hides(&items))
+/// Whether a display has an integral whose integrand contains names, of which none depends on the letter.
+pub(in crate::check::unaided) fn hides_its_letter(
+    text: &str,
+    macros: &Macros,
+    depends: &dyn Fn(&Name, &Name) -> bool,
+) -> bool {
+    text.contains("\\int") && typeset_items(text, macros).is_ok_and(|items| hides(&items, depends))
 }
 
-fn hides(items: &[Item]) -> bool {
+fn hides(items: &[Item], depends: &dyn Fn(&Name, &Name) -> bool) -> bool {
     let mut found = Vec::new();
     collect(items, &mut found);
-    found.iter().any(|integral| !integral.names.is_empty() && !integral.names.contains(&integral.letter))
+    let tells = |integral: &Integral| {
+        integral.names.iter().any(|name| *name == integral.letter || depends(name, &integral.letter))
+    };
+    found.iter().any(|integral| !integral.names.is_empty() && !tells(integral))
 }
 
 /// An integral in print: its letter, and the names in its integrand.
-pub(super) struct Integral {
+pub(in crate::check::unaided) struct Integral {
     pub letter: Name,
     pub names: Vec<Name>,
 }
 
 /// The integrals in items.
-pub(super) fn collect(items: &[Item], found: &mut Vec<Integral>) {
+pub(in crate::check::unaided) fn collect(items: &[Item], found: &mut Vec<Integral>) {
     let places = (0..items.len()).filter(|at| is_integral(&items[*at]));
     found.extend(places.filter_map(|at| integral(&items[at + 1..])));
     items.iter().flat_map(parts_of).for_each(|part| collect(part, found));
@@ -75,7 +82,7 @@ mod tests {
 
     #[test]
     fn an_integrand_without_its_letter_may_depend_on_it() {
-        let hides = |text: &str| hides_its_letter(text, &Macros::default());
+        let hides = |text: &str| hides_its_letter(text, &Macros::default(), &|name, _| name.base == "I");
         for text in [
             r"\int_0^t\ln\frac{m_0}{m}\,dt' = \frac{m}{b}",
             r"K = \int_0^L F \, dx",
@@ -90,6 +97,7 @@ mod tests {
             r"\int_0^a dx = a",
             r"\int_0^1 2\pi\,ds + F",
             r"\int_0^a k x\,dx",
+            r"\int_0^T I^2\,dt",
         ] {
             assert!(!hides(text), "{text}");
         }
