@@ -341,7 +341,8 @@ fn passing_edits(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, edits: &[Edit
                 let may_say_nothing = !is_removal(edit) && edit.slip != Slip::Name && !multiplies;
                 let is_written_out = |side: &Expr| {
                     let printed = text.get(side.span.range()).unwrap_or_default();
-                    prints_derivative(printed, &checker.model.macros)
+                    let is_evaluated = ["\\int", "\\sum", "\\prod"].iter().any(|sign| printed.contains(sign));
+                    is_evaluated || prints_derivative(printed, &checker.model.macros)
                 };
                 let mut passes = |trial: &Trial<'_, '_>, now: &Reading, step: bool| -> Result<bool> {
                     let vacuous = Cell::new(false);

@@ -307,6 +307,9 @@ fn document(
     }
     let inferred = [inferred, taken_from_sentences(notes, &mut equations)].concat();
     for equation in &mut equations {
+        if let Some(open) = gate::not_computed(equation) {
+            *equation = open;
+        }
         if let Some(rejected) = prose::rejected::found(notes, equation) {
             *equation = rejected;
         }

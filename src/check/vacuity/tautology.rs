@@ -16,8 +16,8 @@ use crate::check::vacuity::monomials;
 use crate::check::vacuity::monomials::{Monomial, add};
 
 /// Whether an edit makes a display trivial: an equation in it now equates a side with itself, a side of an
-/// approximation has become 0, or its one symbol has been replaced by one of another kind. A derivative that `is_written_out` is
-/// read as its value, and that it has this value is no triviality.
+/// approximation has become 0, or its one symbol has been replaced by one of another kind. A derivative or an integral that
+/// `is_written_out` is read as its value, and that it has this value is no triviality.
 pub(crate) fn is_lost(
     before: &Reading,
     after: &Reading,

@@ -228,6 +228,20 @@ pub(super) fn introduces(equation: Equation, name: &str) -> Equation {
     Equation { finding, parts: Vec::new(), repairs: Vec::new(), elsewhere: Vec::new(), ok: true, ..equation }
 }
 
+/// The signs of what a display computes, each with its word.
+const COMPUTED: [(&str, &str); 5] =
+    [("\\int", "integral"), ("\\oint", "integral"), ("\\sum", "sum"), ("\\prod", "product"), ("\\lim", "limit")];
+
+/// The equation as it counts where its left side is an integral, a sum or a limit that stands for one name: such a side has a value,
+/// so the equation defines nothing. `None` for any other.
+pub(super) fn not_computed(equation: &Equation) -> Option<Equation> {
+    let is_defined = equation.finding.verdict == Verdict::Definition && equation.finding.message.starts_with("defines ");
+    let latex = equation.latex.trim_start();
+    let (_, word) = COMPUTED.iter().find(|(sign, _)| latex.starts_with(sign)).filter(|_| is_defined)?;
+    let message = format!("onshell cannot compute this {word}, so the equation is taken for granted, and not checked");
+    Some(settled(equation, (Verdict::Assumed, Code::Assumed), message))
+}
+
 /// Whether a derivative in a display was read as 0, since nothing says what the formula of the derived quantity is.
 pub(super) fn lost_derivative(reading: &Reading, display: &Display, macros: &Macros) -> bool {
     let is_printed = |part: &Expr| {
