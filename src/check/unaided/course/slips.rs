@@ -5,7 +5,7 @@ use crate::check::document::checker::Checker;
 use crate::check::model::meaning::Meaning;
 use crate::check::repair::suggest::Search;
 use crate::check::unaided::contradictions;
-use crate::check::unaided::course::{Course, named};
+use crate::check::unaided::course::{Course, FEWEST_RESTATED, named};
 use crate::check::unaided::dimensions;
 use crate::check::unaided::gate::{self, Basis};
 use crate::check::unaided::premises::{Premise, Said};
@@ -29,6 +29,27 @@ const INEQUALITIES: [&str; 12] =
     ["<", ">", "≤", "≥", "\\lt", "\\gt", "\\le", "\\ge", "\\leq", "\\geq", "\\leqslant", "\\geqslant"];
 
 impl Course<'_, '_> {
+    /// Whether both sides of a display, or of an equality of a chain, are made of the same constants, and of so many that no condition
+    /// in the words could make two different formulas of them equal by chance.
+    fn relates_the_same(&self, at: usize) -> bool {
+        let model = self.checker.model;
+        let leaves = |member: &Expr| {
+            let mut all = gate::leaves(member, model);
+            all.sort_unstable_by_key(|id| id.0);
+            all.dedup();
+            all
+        };
+        let is_constant = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::Constant(_)));
+        let statements = self.checker.readings[at].statements.iter().flatten();
+        statements.into_iter().all(|statement| {
+            let skipped = usize::from(statement.members.len() > 2 && statement.members[0].as_plain_symbol().is_some());
+            let all: Vec<_> = statement.members[skipped..].iter().map(leaves).collect();
+            all.len() > 1
+                && all.windows(2).all(|pair| pair[0] == pair[1])
+                && all.iter().all(|leaves| leaves.len() >= FEWEST_RESTATED && leaves.iter().all(is_constant))
+        })
+    }
+
     /// The place of the name on the left side, if another display gives it a formula.
     fn name_given_again(&self, at: usize) -> Option<Span> {
         let reading = &self.checker.readings[at];
@@ -67,9 +88,12 @@ impl Course<'_, '_> {
                 || is_evaluated
                 || solutions::is_printed(checker, at, claim)
                 || words.connected && self.restates(at));
-        let is_another_case = words.other_case && !self.is_by_itself(at) || self.is_about_another(at);
-        let is_supposed =
-            words.announced.is_supposed() && !is_claimed && !(words.only_nearness && self.approximates(at));
+        let is_identity = self.relates_the_same(at);
+        let is_another_case = (words.other_case && !self.is_by_itself(at) || self.is_about_another(at)) && !is_identity;
+        let is_supposed = words.announced.is_supposed()
+            && !is_claimed
+            && !(words.only_nearness && self.approximates(at))
+            && !is_identity;
         let is_tried = (solves || gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words))
             && !is_another_case
             && !(is_supposed && (words.announced == Announced::Assumption || basis != Basis::Definitions));

@@ -235,7 +235,8 @@ const COMPUTED: [(&str, &str); 5] =
 /// The equation as it counts where its left side is an integral, a sum or a limit that stands for one name: such a side has a value,
 /// so the equation defines nothing. `None` for any other.
 pub(super) fn not_computed(equation: &Equation) -> Option<Equation> {
-    let is_defined = equation.finding.verdict == Verdict::Definition && equation.finding.message.starts_with("defines ");
+    let is_defined =
+        equation.finding.verdict == Verdict::Definition && equation.finding.message.starts_with("defines ");
     let latex = equation.latex.trim_start();
     let (_, word) = COMPUTED.iter().find(|(sign, _)| latex.starts_with(sign)).filter(|_| is_defined)?;
     let message = format!("onshell cannot compute this {word}, so the equation is taken for granted, and not checked");

@@ -15,7 +15,7 @@ use crate::source::Span;
 use crate::check::prose_claims::words::{PASSING, ROOTS_OF};
 use crate::check::unaided::inline::is_inline;
 use crate::check::unaided::prose::words::{
-    ANEW, ANOTHER_THING, ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OTHER_CASE, SEVERAL, SOLUTION, WEAK,
+    ANEW, ANOTHER_THING, ASSUMPTION, CONDITION, CONSEQUENCE, NEARNESS, OR, OTHER_CASE, SEVERAL, SOLUTION, WEAK,
     WHAT_IS_DONE,
 };
 
@@ -128,13 +128,21 @@ fn looking_back(notes: &Notes, at: usize, further: usize) -> Words {
         (false, true) => Announced::Consequence,
         (false, false) => Announced::Nothing,
     };
-    let connected = announced == Announced::Consequence || announced == Announced::Nothing && says(SOLUTION);
+    let connected = announced == Announced::Consequence
+        || announced == Announced::Nothing && (says(SOLUTION) || is_another_form(&sentence));
     let compares = ["\\ll", "\\gg", "\\to"].iter().any(|sign| sentence.contains(sign));
     let is_nearness = |word: &&str| NEARNESS.contains(word) || compares && CONDITION.contains(word);
     let only_nearness =
         announced.is_supposed() && ASSUMPTION.iter().filter(|word| has_word(&sentence, word)).all(is_nearness);
     let other_case = says(OTHER_CASE) || supposes_anew(all);
     Words { announced, only_nearness, other_case, named: cited(notes, at, all), connected }
+}
+
+/// Whether a display is another form of the formula before it: "or, for the viscosity," and "…, or".
+fn is_another_form(sentence: &str) -> bool {
+    let bare: String = sentence.chars().map(|c| if c.is_alphanumeric() { c } else { ' ' }).collect();
+    let words: Vec<&str> = bare.split_whitespace().collect();
+    [words.first(), words.last()].into_iter().flatten().any(|word| OR.contains(word))
 }
 
 /// Whether the words since the last display put something else in the place of what was supposed: "Suppose now the force is …".

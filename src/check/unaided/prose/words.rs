@@ -354,6 +354,9 @@ pub(super) const SOLUTION: &[&str] = &[
     "radici",
 ];
 
+/// The word "or", with which a sentence begins or ends that gives a formula another form.
+pub(super) const OR: &[&str] = &["or", "oder", "bzw", "ou", "oppure", "ovvero"];
+
 /// Words of several things, or of a part of one, of which a law for one holds with another number.
 pub(super) const SEVERAL: &[&str] = &[
     "two",
