@@ -114,8 +114,17 @@ fn write(path: &Path, overwrite: bool, registry: &Registry) -> Result<String> {
     let names = match draft.declared {
         0 if notes.equations.is_empty() => "no display was found in the notes, so nothing was inferred".to_owned(),
         0 => "no name needs a declaration".to_owned(),
-        1 => "1 name is declared by a guess".to_owned(),
-        n => format!("{n} names are declared by guesses"),
+        1 => "onshell guessed what 1 name means; read the line under \"guesses\", and correct it where it is wrong"
+            .to_owned(),
+        n => format!(
+            "onshell guessed what {n} names mean; read the lines under \"guesses\", and correct those that are wrong"
+        ),
     };
-    Ok(format!("{to}: written; {names}"))
+    let laws = match notes.equations.is_empty() {
+        true => "",
+        false => {
+            "; list equations that are laws and are not to be checked under \"laws\", as in \"laws\": { \"Newton's second law\": \"1\" }"
+        }
+    };
+    Ok(format!("{to}: written; {names}{laws}"))
 }

@@ -7,7 +7,7 @@ use annotate_snippets::{Annotation, AnnotationKind, Element, Group, Patch, Rende
 use crate::source::{Source, Span};
 
 use super::crop::Cropped;
-use super::style::{Style, columns};
+use super::style::{Style, columns, columns_of};
 use super::wrap::shortened;
 
 /// A span of more lines than this is shown by its first line.
@@ -168,6 +168,24 @@ pub(super) fn alone(group: Group<'_>, style: Style) -> String {
 fn renderer(style: Style) -> Renderer {
     let renderer = if style.colour { Renderer::styled() } else { Renderer::plain() };
     renderer.term_width(usize::MAX / 4)
+}
+
+/// The text around a place with a line of carets below it, at most so wide; nothing for an empty line.
+pub(super) fn beneath(source: &Source, span: Span, width: usize) -> Vec<String> {
+    let start = source.text[..span.start].rfind('\n').map_or(0, |at| at + 1);
+    let end = source.text[span.start..].find('\n').map_or(source.text.len(), |at| span.start + at);
+    let line: Vec<char> = source.text[start..end].chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let before = source.text[start..span.start].chars().count();
+    let marked = source.text[span.start..span.end.min(end).max(span.start)].chars().count().max(1);
+    // The place stands in the middle, if the line is too long.
+    let from = before.saturating_sub(width / 2);
+    let shown: String = line.iter().skip(from).take(width).collect();
+    if shown.trim().is_empty() {
+        return Vec::new();
+    }
+    let at: usize = line[from..before.min(line.len())].iter().map(|c| columns_of(*c)).sum();
+    let carets = marked.min(width.saturating_sub(at)).max(1);
+    vec![shown.trim_end().to_owned(), format!("{}{}", " ".repeat(at), "^".repeat(carets))]
 }
 
 #[cfg(test)]

@@ -21,6 +21,7 @@ mod dimensions;
 mod explanations;
 mod gate;
 pub(super) mod guess;
+mod indexed_states;
 mod inline;
 mod integrands;
 mod laws;
@@ -36,7 +37,6 @@ mod screen;
 mod signs;
 mod solutions;
 mod special_cases;
-mod states;
 
 use std::collections::{HashMap, HashSet};
 
