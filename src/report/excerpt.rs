@@ -76,6 +76,26 @@ impl<'a> Excerpt<'a> {
         self.lines.start <= span.start && span.end <= self.lines.end
     }
 
+    /// The line in which the span begins, with a line of carets below it, at most so wide; nothing for an empty line.
+    pub(super) fn beneath(&self, width: usize) -> Vec<String> {
+        let (text, start) = (&self.source.text, self.lines.start);
+        let end = text[self.span.start..].find('\n').map_or(text.len(), |at| self.span.start + at);
+        let line: Vec<char> = text[start..end].chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+        let before = text[start..self.span.start].chars().count();
+        let marked = text[self.span.start..self.span.end.min(end)].chars().count().max(1);
+        // The place stands in the middle, if the line is too long.
+        let from = before.saturating_sub(width / 2);
+        let is_cut = |at: usize| at == from && from > 0 || at + 1 == from + width && at + 1 < line.len();
+        let part = line.iter().enumerate().skip(from).take(width);
+        let shown: String = part.map(|(at, c)| if is_cut(at) { '…' } else { *c }).collect();
+        if shown.trim().is_empty() {
+            return Vec::new();
+        }
+        let at: usize = line[from..before].iter().map(|c| columns_of(*c)).sum();
+        let carets = marked.min(width.saturating_sub(at)).max(1);
+        vec![shown.trim_end().to_owned(), format!("{}{}", " ".repeat(at), "^".repeat(carets))]
+    }
+
     /// The lines with the span marked.
     pub(super) fn marked(&self, title: Title<'_>, below: Vec<Element<'_>>, style: Style) -> String {
         self.drawn(title, &[self.inside(self.span.clone().into())], &[String::new()], below, style)
@@ -168,24 +188,6 @@ pub(super) fn alone(group: Group<'_>, style: Style) -> String {
 fn renderer(style: Style) -> Renderer {
     let renderer = if style.colour { Renderer::styled() } else { Renderer::plain() };
     renderer.term_width(usize::MAX / 4)
-}
-
-/// The text around a place with a line of carets below it, at most so wide; nothing for an empty line.
-pub(super) fn beneath(source: &Source, span: Span, width: usize) -> Vec<String> {
-    let start = source.text[..span.start].rfind('\n').map_or(0, |at| at + 1);
-    let end = source.text[span.start..].find('\n').map_or(source.text.len(), |at| span.start + at);
-    let line: Vec<char> = source.text[start..end].chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    let before = source.text[start..span.start].chars().count();
-    let marked = source.text[span.start..span.end.min(end).max(span.start)].chars().count().max(1);
-    // The place stands in the middle, if the line is too long.
-    let from = before.saturating_sub(width / 2);
-    let shown: String = line.iter().skip(from).take(width).collect();
-    if shown.trim().is_empty() {
-        return Vec::new();
-    }
-    let at: usize = line[from..before.min(line.len())].iter().map(|c| columns_of(*c)).sum();
-    let carets = marked.min(width.saturating_sub(at)).max(1);
-    vec![shown.trim_end().to_owned(), format!("{}{}", " ".repeat(at), "^".repeat(carets))]
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use crate::code::Code;
 
 use super::code;
 use super::diagnostic;
-use super::excerpt::beneath;
+use super::excerpt::Excerpt;
 use super::style::{Colour, Style, columns};
 use super::wrap::wrap;
 
@@ -307,7 +307,7 @@ fn details(document: &Document, item: &Equation, style: Style) -> String {
     // What is not read and not shown below as an error is shown here, with a mark under the place.
     if item.ok && item.finding.verdict == Verdict::Unreadable {
         let width = style.width.saturating_sub(indent);
-        for line in beneath(&document.source, item.finding.span, width) {
+        for line in Excerpt::of(&document.source, item.finding.span).beneath(width) {
             text.push_str(&format!("{}{line}\n", " ".repeat(indent)));
         }
     }

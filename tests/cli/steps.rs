@@ -241,7 +241,11 @@ fn nothing_is_chosen_between_two_displays_that_could_be_wrong_and_nothing_is_mul
     desk.write("notes.json", claims.to_string());
     desk.write("notes.md", notes(""));
     let run = desk.onshell(&["check", "notes.md"]);
-    assert!(run.out.contains(r"did you mean to multiply by “m_i”? (3) and (4) use (1)"), "{}", run.out);
+    assert!(
+        run.out.contains(r"did you mean to multiply by “m_i”? With this edit of (1), (3) and (4) hold"),
+        "{}",
+        run.out
+    );
     assert!(!run.out.contains("“0” in place of “1”"), "{}", run.out);
     // The twin: as it should be it stays as it is.
     desk.write("notes.md", notes("m_i "));
