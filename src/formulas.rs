@@ -8,6 +8,7 @@ use std::sync::Arc;
 use crate::check::Options;
 use crate::check::kinds::compare::{self, Comparison};
 use crate::code::Code;
+use crate::formula::tree::Function;
 use crate::formula::units::in_si::{has_units, in_si};
 use crate::formula::units::{Affine, Dimension, UnitCheck};
 use crate::formula::{Assignment, Expr, Kind, Node, Statement, Symbols, Unavailable, Value, evaluate, text};
@@ -164,6 +165,10 @@ impl Formula {
             None => Ok(entries),
             Some(_) if self.has_singular_matrix() => Err(Error::new("a matrix in the formula has the determinant 0")
                 .help("such a matrix has no inverse, so the formula has no value")),
+            Some(_) if self.letters().is_empty() && self.is_too_large() => {
+                Err(Error::new(format!("{what} is too large to compute with, or a part of it is"))
+                    .help("the largest number is about 10^{308}; choose other units, or compute with logarithms"))
+            }
             Some(_) if self.letters().is_empty() => Err(Error::new(format!("{what} has no real value"))
                 .help("check that no denominator is 0, and that no root or logarithm is of a negative number")),
             Some(entry) if entry.is_nan() => {
@@ -175,6 +180,30 @@ impl Formula {
             ))
             .help("choose other values: no denominator may be 0")),
         }
+    }
+
+    /// Whether a part of a formula without letters is infinite, though it has a value: its operands are finite, and no denominator is 0.
+    fn is_too_large(&self) -> bool {
+        let value = |part: &Expr| {
+            let statement = Statement { members: vec![part.clone()], relations: Vec::new(), ..self.statement.clone() };
+            let (entries, _) = Formula { statement, symbols: self.symbols.clone() }.evaluated::<f64>(&[]).ok()?;
+            entries.first().copied()
+        };
+        let is_finite = |part: &Expr| value(part).is_some_and(f64::is_finite);
+        let is_not_zero = |part: &Expr| value(part).is_some_and(|value| value.is_finite() && value != 0.0);
+        let mut found = false;
+        for member in &self.statement.members {
+            member.walk(&mut |part| {
+                found |= match &part.node {
+                    Node::Product(factors) => factors.iter().all(is_finite),
+                    Node::Quotient(above, below) => is_finite(above) && is_not_zero(below),
+                    Node::Power(base, exponent) => is_not_zero(base) && is_finite(exponent),
+                    Node::Call(Function::Exp | Function::Sinh | Function::Cosh, argument) => is_finite(argument),
+                    _ => false,
+                } && value(part).is_some_and(f64::is_infinite);
+            });
+        }
+        found
     }
 
     /// The entries of the formula's value, each with a bound of its rounding error.

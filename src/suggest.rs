@@ -59,6 +59,10 @@ pub fn declaration(name: &str, dots: u8) -> String {
             "the operator {name} is not supported; leave the equation out with \"skip\" in the claims file, or, if \
              {name} is a quantity, {add}"
         ),
+        _ if name.starts_with("\\delta") && name.contains("\\int") => {
+            "the variation δ of an integral is not supported; leave the equation out with \"skip\" in a claims file"
+                .to_owned()
+        }
         _ => add,
     }
 }

@@ -79,6 +79,8 @@ mod printed_motions;
 mod printed_prose;
 #[path = "cli/printed/textbooks.rs"]
 mod printed_textbooks;
+#[path = "cli/reasons.rs"]
+mod reasons;
 #[path = "cli/report.rs"]
 mod report;
 #[path = "cli/reprint.rs"]

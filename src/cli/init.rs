@@ -59,7 +59,8 @@ pub(super) fn run(arguments: &Arguments, registry: &Registry, screen: Screen) ->
         tell(&format!("Then run: {check}"));
         tell(
             "When all declarations are right, remove \"guesses\". Each equation must then follow from what is \
-             declared.",
+             declared. List an equation that is a law, and is not to be checked, by its number: \"laws\": { \"Newton's \
+             second law\": \"1\" }.",
         );
     }
     Outcome { output, code: if errors.is_empty() { 0 } else { 2 }, messages: shown(&errors, screen) }
@@ -114,8 +115,8 @@ fn write(path: &Path, overwrite: bool, registry: &Registry) -> Result<String> {
     let names = match draft.declared {
         0 if notes.equations.is_empty() => "no display was found in the notes, so nothing was inferred".to_owned(),
         0 => "no name needs a declaration".to_owned(),
-        1 => "1 name is declared by a guess".to_owned(),
-        n => format!("{n} names are declared by guesses"),
+        1 => "onshell guessed what 1 name means".to_owned(),
+        n => format!("onshell guessed what {n} names mean"),
     };
     Ok(format!("{to}: written; {names}"))
 }

@@ -40,7 +40,7 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t = Form::Text)]
     format: Form,
     /// What a hint says: 0 that something is wrong, 1 where, 2 what kind of slip, 3 the correction
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(0..=3))]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = values::hints)]
     hints: u8,
     /// Write a page for each student, and an index, into this folder
     #[arg(long, value_name = "DIR")]

@@ -6,12 +6,13 @@ use serde_json::json;
 
 use crate::Error;
 use crate::check::define_macros;
+use crate::formula::operators::Operator;
 use crate::formula::symbols::Kind;
-use crate::formula::{Statement, Symbols, text};
+use crate::formula::{Expr, Node, Statement, Symbols, text};
 use crate::latex::{Macros, read_display};
 use crate::notes::{MacroDefinition, definitions};
 use crate::report::{self, wrap};
-use crate::source::Source;
+use crate::source::{Source, Span};
 
 use super::outcome::{Format, Outcome, Screen, shown};
 
@@ -37,10 +38,12 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
     let source = Arc::new(Source::new("formula", arguments.formula.as_str()));
     let (mut statements, mut errors): (Vec<String>, _) = (Vec::new(), Vec::new());
     let mut before: Option<Statement> = None;
+    let mut without_value: Vec<String> = Vec::new();
     for statement in reading.statements {
         match statement {
             Ok(statement) => {
                 let text = text::statement(&statement, &symbols);
+                statement.members.iter().for_each(|member| collect_abstract(member, &symbols, &mut without_value));
                 match (&before, statements.last_mut()) {
                     (Some(before), Some(last)) if statement.is_alternative_to(before) => {
                         last.push_str(&format!(" or {text}"));
@@ -53,7 +56,16 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
         }
     }
     let assumed: Vec<String> = match errors.is_empty() {
-        true => named(&symbols, &|kind| kind == Kind::Scalar),
+        true => {
+            let mut names = named(&symbols, &|kind| kind == Kind::Scalar);
+            // The dx of an integral is no quantity of its own.
+            let is_differential = |name: &str| {
+                let rest = name.strip_prefix('d').unwrap_or_default();
+                !rest.is_empty() && !rest.starts_with(['_', '\'', '^'])
+            };
+            names.retain(|name| !(formula.contains("int") && is_differential(name)));
+            names
+        }
         false => Vec::new(),
     };
     let mut inferred = symbols.inferred.said.clone();
@@ -72,7 +84,13 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
         }
     }
     if symbols.is_abstract() {
-        inferred.push("some parts have no value here, so only the structure of the formula was read".to_owned());
+        let which = match without_value.as_slice() {
+            [] => String::new(),
+            few if few.len() <= MOST_PARTS => format!(": {}", few.join(", ")),
+            many => format!(": {} and {} more", many[..MOST_PARTS].join(", "), many.len() - MOST_PARTS),
+        };
+        inferred
+            .push(format!("only the structure of the formula was read, because parts of it have no value here{which}"));
     }
     if !errors.is_empty() {
         inferred.clear();
@@ -100,6 +118,31 @@ pub(super) fn run(arguments: &Arguments, screen: Screen) -> Outcome {
         }
     };
     Outcome { output, messages: shown(&errors, screen), code: if errors.is_empty() { 0 } else { 2 } }
+}
+
+/// The most parts without a value that are named.
+const MOST_PARTS: usize = 4;
+
+/// Adds the outermost parts of a formula that have no value, as they are read.
+fn collect_abstract(expr: &Expr, symbols: &Symbols, into: &mut Vec<String>) {
+    let mut inner: Vec<Span> = Vec::new();
+    expr.walk(&mut |part| {
+        let is_abstract = match &part.node {
+            Node::Apply(id, _) => {
+                let entry = symbols.entry(*id);
+                entry.operator == Some(Operator::Template) || entry.kind == Kind::Abstract
+            }
+            Node::Rest(_) => true,
+            _ => false,
+        };
+        if is_abstract && !inner.iter().any(|whole| whole.contains(part.span)) {
+            inner.push(part.span);
+            let text = text::formula(part, symbols);
+            if !into.contains(&text) {
+                into.push(text);
+            }
+        }
+    });
 }
 
 /// The quantities of one kind, without those that are no quantities: operators, letters of sums.

@@ -19,6 +19,23 @@ pub(super) fn points(text: &str) -> Result<u32, String> {
     points.ok_or_else(|| "write a whole number from 1 to 100000, such as 24".to_owned())
 }
 
+/// What a hint says, from 0 to 3.
+///
+/// # Errors
+/// For what is no whole number from 0 to 3.
+pub(super) fn hints(text: &str) -> Result<u8, String> {
+    let level = text.parse().ok().filter(|level| *level <= 3);
+    level.ok_or_else(|| "write a whole number from 0 to 3".to_owned())
+}
+
+/// The port of a server.
+///
+/// # Errors
+/// For what is no whole number from 0 to 65535.
+pub(super) fn port(text: &str) -> Result<u16, String> {
+    text.parse().map_err(|_| "write a whole number from 0 to 65535".to_owned())
+}
+
 /// A name and its value, from `NAME=VALUE`.
 ///
 /// # Errors

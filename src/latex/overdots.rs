@@ -1,7 +1,6 @@
-//! Overdots: `\dot x`, `\ddot x` and `\dddot x` are the first, second and third time derivative of x.
+//! Overdots: `\dot x`, `\ddot x` and `\dddot x` are time derivatives of x; that of a name is read in [`super::names`], with [`order`].
 //!
-//! [`order`] reads them and [`accent`] writes them. [`super::names`] counts the dots of a name; `reader/atoms.rs` makes a
-//! time derivative of a dotted group. `\frac{d}{dt}` is read in [`super::reader`], file `derivatives.rs`.
+//! [`order`] reads them and [`accent`] writes them. `reader/atoms.rs` makes a time derivative of a dotted group. `\frac{d}{dt}` is read in [`super::reader`], file `derivatives.rs`.
 
 /// The commands, by the number of their dots less one.
 const ACCENTS: [&str; 3] = ["\\dot", "\\ddot", "\\dddot"];

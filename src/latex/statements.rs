@@ -226,6 +226,10 @@ impl Piece<'_> {
                     let place = relation.map_or(span, |(_, span)| span);
                     // `= x` and `x =` leave a side out; between two relations a formula is missing.
                     let is_end = at == 0 || at + 1 == links.len();
+                    if items.is_empty() && !is_end {
+                        return Err(Fault::new(place, "two relation signs stand side by side")
+                            .help("remove one of them, or write what stands between them"));
+                    }
                     let is_left_out = items.is_empty() && is_end && relation.is_none() == (at == 0);
                     Some(read_member(items, place, is_left_out, &mut Reader::new(symbols, branch))?)
                 }

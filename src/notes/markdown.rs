@@ -267,6 +267,19 @@ fn unclosed_bracket(at: usize) -> Fault {
 }
 
 fn unclosed(text: &str, at: usize, found: &ScannedText) -> Fault {
+    // From a `$$` that is missing on, every `$$` opens what it should close, and a display holds the prose between two equations.
+    let has_blank_line = |raw: &&RawDisplay| {
+        text[raw.span.range()].lines().skip(1).any(|line| line.trim_matches([' ', '\t', '>']).is_empty())
+    };
+    let dollars = |raw: &&RawDisplay| text[raw.span.range()].starts_with("$$");
+    if let Some(first) = found.raws.iter().filter(dollars).find(has_blank_line) {
+        let line = text[..first.span.start].matches('\n').count() + 1;
+        let start = first.span.start;
+        return Fault::notes(Span::new(start, start + 2), "a `$$` is missing").help(format!(
+            "this display, which begins in line {line}, is the first with a blank line in it; close it with `$$` where its \
+             equation ends, or look for a missing `$$` before it"
+        ));
+    }
     let help = match found.raws.last() {
         Some(last) => {
             let line = text[..last.span.start].matches('\n').count() + 1;

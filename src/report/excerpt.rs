@@ -7,7 +7,7 @@ use annotate_snippets::{Annotation, AnnotationKind, Element, Group, Patch, Rende
 use crate::source::{Source, Span};
 
 use super::crop::Cropped;
-use super::style::{Style, columns};
+use super::style::{Style, columns, columns_of};
 use super::wrap::shortened;
 
 /// A span of more lines than this is shown by its first line.
@@ -74,6 +74,26 @@ impl<'a> Excerpt<'a> {
     pub(super) fn has(&self, span: Span) -> bool {
         let span = self.view.place(span).span;
         self.lines.start <= span.start && span.end <= self.lines.end
+    }
+
+    /// The line in which the span begins, with a line of carets below it, at most so wide; nothing for an empty line.
+    pub(super) fn beneath(&self, width: usize) -> Vec<String> {
+        let (text, start) = (&self.source.text, self.lines.start);
+        let end = text[self.span.start..].find('\n').map_or(text.len(), |at| self.span.start + at);
+        let line: Vec<char> = text[start..end].chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+        let before = text[start..self.span.start].chars().count();
+        let marked = text[self.span.start..self.span.end.min(end)].chars().count().max(1);
+        // The place stands in the middle, if the line is too long.
+        let from = before.saturating_sub(width / 2);
+        let is_cut = |at: usize| at == from && from > 0 || at + 1 == from + width && at + 1 < line.len();
+        let part = line.iter().enumerate().skip(from).take(width);
+        let shown: String = part.map(|(at, c)| if is_cut(at) { '…' } else { *c }).collect();
+        if shown.trim().is_empty() {
+            return Vec::new();
+        }
+        let at: usize = line[from..before].iter().map(|c| columns_of(*c)).sum();
+        let carets = marked.min(width.saturating_sub(at)).max(1);
+        vec![shown.trim_end().to_owned(), format!("{}{}", " ".repeat(at), "^".repeat(carets))]
     }
 
     /// The lines with the span marked.

@@ -253,9 +253,12 @@ pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
                 + "\n");
         }
         if hints.0 == 0 {
-            let said =
-                if marked.is_wrong() { "something in this hand-in is wrong or missing" } else { "nothing is wrong" };
-            out += &format!("  {said}\n\n");
+            let said = match (marked.is_wrong(), open_lines(marked)) {
+                (true, _) => "something in this hand-in is wrong or missing".to_owned(),
+                (false, None) => "no mistake was found".to_owned(),
+                (false, Some(open)) => format!("no mistake was found, but {open}"),
+            };
+            out += &(wrap("  ", &said, 4, style.width) + "\n\n");
             continue;
         }
         marked_lines(marked, hints, style, &mut out);
@@ -277,18 +280,30 @@ pub fn text(class: &[Marked], hints: Hints, style: Style) -> String {
         let points = format!("{}/{}", number(marked.got()), number(marked.points()));
         let (right, wrong, carried) =
             (marked.count(Mark::Right), marked.count(Mark::Wrong), marked.count(Mark::Carried));
-        let open = match marked.count(Mark::Unread) + marked.count(Mark::Open) + usize::from(marked.fault.is_some()) {
-            _ if !marked.is_open() => String::new(),
-            0 => "  (check it by hand)".to_owned(),
-            1 => "  (1 line was not marked; check it by hand)".to_owned(),
-            count => format!("  ({count} lines were not marked; check them by hand)"),
-        };
+        let open = open_lines(marked).map_or_else(String::new, |open| format!("  ({open})"));
         out += &format!(
             "{:width$}  {points:>7}  {right:>5}  {wrong:>5}  {carried:>7}  {missing:>7}{open}\n",
             marked.student
         );
     }
     out
+}
+
+/// How many lines could not be read or decided, and what to do; nothing, if there are none.
+fn open_lines(marked: &Marked) -> Option<String> {
+    if marked.fault.is_some() {
+        return Some("the file was not read; check it by hand".to_owned());
+    }
+    let said = |count: usize, what: &str| match count {
+        0 => None,
+        1 => Some(format!("1 line {what}")),
+        count => Some(format!("{count} lines {what}")),
+    };
+    let (unread, undecided) = (marked.count(Mark::Unread), marked.count(Mark::Open));
+    let parts = [said(unread, "could not be read"), said(undecided, "could not be decided")];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    let them = if unread + undecided == 1 { "it" } else { "them" };
+    (!parts.is_empty()).then(|| format!("{}; check {them} by hand", parts.join(" and ")))
 }
 
 /// The lines of a hand-in, each with its mark, and under it what is to be said of it.
@@ -300,7 +315,7 @@ fn marked_lines(marked: &Marked, hints: Hints, style: Style, out: &mut String) {
         let mut notes = Vec::new();
         match line.mark {
             Mark::Right if line.because == Because::Follows => {}
-            Mark::Given => notes.push(format!("not marked: this line {}", line.because)),
+            Mark::Given => notes.push(format!("{}: this line {}", line.mark.word(), line.because)),
             Mark::Unread => notes.push(format!("{}: {}; mark this line by hand", line.mark.word(), line.because)),
             _ => notes.push(format!("{}: {}", line.mark.word(), line.because)),
         }

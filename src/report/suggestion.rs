@@ -61,10 +61,10 @@ pub fn repair(repair: &Repair, first: bool, source: &Source, style: Style) -> St
         }
         (Some(Shared { of, mends }), _) => match mends.as_slice() {
             [one] if !is_adjective(repair.verdict) => {
-                format!("({one}) uses ({of}); with this edit of ({of}), ({one}) passes")
+                format!("With this edit of ({of}), ({one}) passes")
             }
-            [one] => format!("({one}) uses ({of}); with this edit of ({of}), it is {}", repair.verdict),
-            _ => format!("{} use ({of}); with this edit of ({of}), all of them hold", listed(mends, "and")),
+            [one] => format!("With this edit of ({of}), ({one}) is {}", repair.verdict),
+            _ => format!("With this edit of ({of}), {} hold", listed(mends, "and")),
         },
         (None, true) => "Then this step passes, but a later step of the chain still fails".to_owned(),
         (None, false) if repair.verdict == Verdict::Assumed => "Then the dimensions fit".to_owned(),

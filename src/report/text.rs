@@ -7,6 +7,7 @@ use crate::code::Code;
 
 use super::code;
 use super::diagnostic;
+use super::excerpt::Excerpt;
 use super::style::{Colour, Style, columns};
 use super::wrap::wrap;
 
@@ -302,6 +303,13 @@ fn details(document: &Document, item: &Equation, style: Style) -> String {
     }
     if item.ok {
         diagnostic::evidence(&item.finding).iter().for_each(|note| tell(0, note));
+    }
+    // What is not read and not shown below as an error is shown here, with a mark under the place.
+    if item.ok && item.finding.verdict == Verdict::Unreadable {
+        let width = style.width.saturating_sub(indent);
+        for line in Excerpt::of(&document.source, item.finding.span).beneath(width) {
+            text.push_str(&format!("{}{line}\n", " ".repeat(indent)));
+        }
     }
     text
 }

@@ -108,7 +108,7 @@ fn the_condition_is_named_and_with_it_the_claim_passes() {
     let definitions = json!({ r"\varphi": r"\arctan\frac{y}{x}", "r": r"\sqrt{x^2 + y^2}" });
     let claims = json!({ "constants": { "x, y": "any" }, "define": definitions });
     let found = equation(&claims, &[r"x = r\cos\varphi"], assuming(&[])).finding;
-    let said = "holds on one branch only, because arctan(y/x) lies between −π/2 and π/2; it holds at the ";
+    let said = "holds only where x > 0, because arctan(y/x) lies between −π/2 and π/2; it holds at the ";
     assert!(found.message.starts_with(said), "{found:?}");
     assert!(found.message.ends_with(" sampled states with x > 0, and fails at others"), "{found:?}");
     assert!(found.counterexample.is_some());

@@ -120,7 +120,7 @@ fn what_two_wrong_equations_stand_on_is_mended_and_not_they() {
     desk.write("notes.json", claims.to_string());
     desk.write("notes.md", notes(r"\dot m u +", "-"));
     let run = desk.onshell(&["check", "notes.md"]);
-    assert!(run.out.contains("(2), (3) and (4) use (1); with this edit of (1), all of them hold"), "{}", run.out);
+    assert!(run.out.contains("With this edit of (1), (2), (3) and (4) hold"), "{}", run.out);
     assert!(run.out.contains("the edit of (1) that is shown for (2) corrects this too"), "{}", run.out);
     let run = desk.onshell(&["check", "notes.md", "--fix", "--yes"]);
     assert_eq!(run.code, 0, "{}{}", run.out, run.err);
@@ -128,7 +128,7 @@ fn what_two_wrong_equations_stand_on_is_mended_and_not_they() {
     // The twin: one that holds speaks for the law.
     desk.write("notes.md", notes(r"\dot m u +", "+"));
     let run = desk.onshell(&["check", "notes.md"]);
-    assert!(run.code == 1 && !run.out.contains("with this edit of (1)"), "{}", run.out);
+    assert!(run.code == 1 && !run.out.contains("With this edit of (1)"), "{}", run.out);
 }
 
 #[test]
@@ -241,7 +241,11 @@ fn nothing_is_chosen_between_two_displays_that_could_be_wrong_and_nothing_is_mul
     desk.write("notes.json", claims.to_string());
     desk.write("notes.md", notes(""));
     let run = desk.onshell(&["check", "notes.md"]);
-    assert!(run.out.contains(r"did you mean to multiply by “m_i”? (3) and (4) use (1)"), "{}", run.out);
+    assert!(
+        run.out.contains(r"did you mean to multiply by “m_i”? With this edit of (1), (3) and (4) hold"),
+        "{}",
+        run.out
+    );
     assert!(!run.out.contains("“0” in place of “1”"), "{}", run.out);
     // The twin: as it should be it stays as it is.
     desk.write("notes.md", notes("m_i "));

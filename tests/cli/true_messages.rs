@@ -65,8 +65,8 @@ fn the_values_of_also_equals_stand_on_the_sides_that_are_named() {
 fn a_conversion_of_units_that_is_off_by_far_is_wrong() {
     let found = |name: &str, line: &str| check(name, &format!("$$ {line} $$\n"), None);
     for (name, wrong, said) in [
-        ("hour", "1\\,\\text{h} = 360\\,\\text{s}", "the numbers give 3600·s, and 360·s is printed"),
-        ("kilometre", "1\\,\\text{km} = 100\\,\\text{m}", "the numbers give 1000·m, and 100·m is printed"),
+        ("hour", "1\\,\\text{h} = 360\\,\\text{s}", "the numbers give 3600 s, and 360 s is printed"),
+        ("kilometre", "1\\,\\text{km} = 100\\,\\text{m}", "the numbers give 1000 m, and 100 m is printed"),
     ] {
         let run = found(name, wrong);
         says(&run, said);
@@ -94,15 +94,15 @@ fn a_result_that_the_values_of_the_text_do_not_give_is_told() {
         check(name, &notes, None)
     };
     let run = with("example-twice", "100");
-    says(&run, "the formula gives 50·m for v = 20·m/s, a = 4·m/s^2, and 100·m is printed");
+    says(&run, "the formula gives 50 m for v = 20 m s⁻¹, a = 4 m s⁻², and 100 m is printed");
     // A number of the formula that no author loses is no likely slip.
     let run = with("example-fifth", "20");
-    says(&run, "the formula gives 50·m");
+    says(&run, "the formula gives 50 m");
     is_silent(&run, "did you mean");
     says(&with("example-right", "50"), "verified");
     // A lost 2 is one.
     let run = with("example-half", "25");
-    says(&run, "and 25·m is printed");
+    says(&run, "and 25 m is printed");
     assert_eq!(run.code, 1, "{}", run.out);
 }
 

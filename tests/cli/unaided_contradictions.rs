@@ -64,7 +64,7 @@ fn neither_is_called_wrong_where_nothing_says_which() {
     let run = desk.onshell(&["check", "notes.md"]);
     assert_eq!(run.code, 1);
     assert!(run.out.contains("this contradicts (1), and one of the two is wrong"), "{}", run.out);
-    assert!(run.out.contains("with this edit of (1)"), "{}", run.out);
+    assert!(run.out.contains("With this edit of (1)"), "{}", run.out);
     assert_eq!(findings("one", &ball(TIME, &[SPEED]))[1].0, "certified");
 }
 

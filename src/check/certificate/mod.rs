@@ -2,7 +2,7 @@
 //!
 //! Offers [`decide`], the decision with its bound on false acceptance; [`claim::Claim`], what can be decided;
 //! [`formulas`], whether two formulas are equal whatever their symbols mean. Knows `sample`, `state` and below, and
-//! [`crate::scalar::prime_field`].
+//! [`crate::scalar::prime_field`]. The bound is computed in `scalar/prime_field/false_accept_bound.rs`.
 
 pub(crate) mod claim;
 pub(crate) mod decide;

@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::code::Code;
-use crate::formula::{Expr, Node, text};
+use crate::formula::{Expr, Node, SymbolId, text};
 use crate::notes::claims::{Claim, Solved, Solves, Spanned};
 use crate::source::Span;
 use crate::suggest::in_json;
@@ -13,8 +13,13 @@ use crate::check::model::claim::Link;
 use crate::check::model::free_symbols;
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
-use crate::check::sample::sampler::contains;
 use crate::check::verdict::finding::Finding;
+
+/// The only one of some names.
+fn only<'s>(mut names: impl Iterator<Item = &'s SymbolId>) -> Option<&'s SymbolId> {
+    let first = names.next();
+    first.filter(|_| names.next().is_none())
+}
 
 impl Checker<'_> {
     /// The finding on ≈ where nothing says what is small, if it holds to first order when one coordinate is, or all are.
@@ -52,14 +57,26 @@ impl Checker<'_> {
         let drawn = free_symbols::drawn(&[&link.lhs, &link.rhs], self.model);
         let plain = || drawn.iter().filter(|symbol| self.model.symbols.entry(**symbol).slots.is_empty());
         let varies = |symbol: &&_| !matches!(self.model.meaning(**symbol), Some(Meaning::Constant(_)));
-        // What cannot be 0 is less likely to be meant.
-        let may_vanish = |symbol: &&_| contains(&self.model.range(**symbol), 0.0);
-        let symbol = plain().find(varies).or_else(|| plain().find(may_vanish)).or_else(|| plain().next());
-        let name = symbol.map_or_else(|| "…".to_owned(), |symbol| self.model.name(*symbol));
+        let symbol = only(plain().filter(varies)).or_else(|| only(plain()));
+        // Which of several letters is small, only the author knows.
+        let Some(symbol) = symbol else {
+            let small = self.entry(place, "\"small\": \"…\"");
+            let message = "≈ does not say when the two sides are nearly equal";
+            let mut letters: Vec<String> = plain().map(|symbol| text::plain(&self.model.name(*symbol))).collect();
+            letters.dedup();
+            return match letters.is_empty() {
+                true => format!("{message}; write {small} in the claims file, with what is small"),
+                false => format!(
+                    "{message}; write {small} in the claims file, with what is small: {}, or a quotient of these",
+                    letters.join(", ")
+                ),
+            };
+        };
+        let name = self.model.name(*symbol);
         let small = self.entry(place, &format!("\"small\": {}", in_json(&name)));
         let message = format!("≈ does not say when the two sides are nearly equal; write {small} in the claims file");
         // An angle tends to infinity in no limit that anybody means.
-        let may_grow = symbol.is_some_and(|symbol| !self.model.symbols.entry(*symbol).angle);
+        let may_grow = !self.model.symbols.entry(*symbol).angle;
         match may_grow {
             true => format!("{message}, or \"limit\": {} for a limit", in_json(&format!("{name}\\to\\infty"))),
             false => message,
@@ -88,7 +105,7 @@ impl Checker<'_> {
             _ => None,
         };
         let Some(id) = [(&link.lhs, &link.rhs), (&link.rhs, &link.lhs)].into_iter().find_map(undetermined) else {
-            return match self.lacks_a_motion(link, context) {
+            return match self.lacks_a_motion(link, context).or_else(|| self.lacks_a_law(link, &known, context)) {
                 Some(reason) => Finding { message: format!("{}; {reason}", finding.message), ..finding },
                 None => finding,
             };
@@ -138,6 +155,29 @@ impl Checker<'_> {
             "nothing determines {}; name a \"system\" or \"laws\", or say which name is the Lagrangian: \"means\": {{ \"L\": \
              \"Lagrangian\" }}",
             text::with_dots(&self.model.name(id), dots)
+        ))
+    }
+
+    /// That nothing in the claims file relates a name on one side to those on the other.
+    fn lacks_a_law(&self, link: &Link, known: &[&Expr], context: &Context<'_>) -> Option<String> {
+        if self.model.has_motion() || !context.local.is_empty() {
+            return None;
+        }
+        let [left, right] = [&link.lhs, &link.rhs].map(|side| free_symbols::drawn(&[side], self.model));
+        let is_free = |id: &&SymbolId| {
+            let is_drawn = matches!(self.model.meaning(**id), Some(Meaning::Constant(_) | Meaning::Varying(_)));
+            is_drawn && !known.iter().any(|formula| formula.symbols().iter().any(|(other, _)| other == *id))
+        };
+        let on_one_side =
+            |own: &[SymbolId], other: &[SymbolId]| own.iter().any(|id| !other.contains(id) && is_free(&id));
+        if !on_one_side(&left, &right) && !on_one_side(&right, &left) {
+            return None;
+        }
+        let display = self.notes.equations.iter().find(|display| display.body.contains(context.span));
+        let id = display.and_then(|display| display.id()).unwrap_or("…");
+        Some(format!(
+            "nothing in the claims file makes this true; if it is a law, list it under \"laws\": {{ \"…\": {} }}",
+            in_json(id)
         ))
     }
 

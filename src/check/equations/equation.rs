@@ -397,7 +397,13 @@ impl Checker<'_> {
             parts.push(self.part(finding, reading.clone()));
         }
         if statement.relations.is_empty() && statement.constant.is_none() {
-            let message = "a formula without a relation claims nothing; write an equation, or use `skip`";
+            let message = match context.options.deduction {
+                true => "a formula without a relation claims nothing; write an equation",
+                false => {
+                    "a formula without a relation claims nothing; write an equation, or leave it out with \"skip\" in the \
+                     claims file"
+                }
+            };
             parts.push(self.part(context.finding(Code::NoRelation, Verdict::Unreadable, message), reading.clone()));
         }
         if let (Some(_), Some(last)) = (statement.constant, statement.members.last()) {

@@ -19,6 +19,7 @@ use crate::check::model::meaning::{Meaning, Variable};
 use crate::check::sample::context::{Context, Options};
 use crate::check::sample::outcome::run;
 use crate::check::sample::setting::FEWEST;
+use crate::check::sample::unmet_hypotheses::listed;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::Part;
@@ -134,8 +135,7 @@ impl Checker<'_> {
         all.flat_map(|(at, reading)| printed(reading).into_iter().map(move |found| (at, found))).collect()
     }
 
-    /// The solution for each coordinate but one that is printed nearest to a place: in the same display, else before it, else
-    /// after it.
+    /// The solution for each coordinate but one, printed nearest to a place: in its display, else before it, else after it.
     fn solutions_beside(&self, but: Option<SymbolId>, context: &Context<'_>) -> Vec<(usize, Solution)> {
         let here = self.notes.equations.iter().position(|display| display.body.contains(context.span)).unwrap_or(0);
         let mut all = self.solutions();
@@ -229,7 +229,8 @@ impl Checker<'_> {
     /// Whether a link gives a name the value 0, beside solutions for all coordinates.
     fn is_zero_on(&self, link: &Link, printed: &[&Solution]) -> bool {
         let is_given = |q: &Variable| printed.iter().any(|known| known.coordinate == q.symbol);
-        link.rhs.is_zero()
+        !printed.is_empty()
+            && link.rhs.is_zero()
             && link.lhs.as_plain_symbol().is_some_and(|id| !self.model.is_coordinate(id))
             && self.model.coordinates.iter().all(is_given)
     }
@@ -484,9 +485,10 @@ impl Checker<'_> {
             return Ok(found);
         }
         let along = identity::check(link, &on_it)?;
-        let mut numbers: Vec<String> = beside.iter().map(|(at, _)| shown(&self.notes.equations[*at])).collect();
-        numbers.dedup();
-        let of = format!("the solution in ({})", numbers.join("), ("));
+        beside.sort_by_key(|(at, _)| *at);
+        beside.dedup_by_key(|(at, _)| *at);
+        let number = |(at, _): &(usize, Solution)| format!("({})", shown(&self.notes.equations[*at]));
+        let of = format!("the solution in {}", listed(&beside.iter().map(number).collect::<Vec<_>>(), "and"));
         match along.verdict {
             verdict if verdict.holds() => Ok(Finding { message: format!("holds along {of}"), ..along }),
             Verdict::Refuted => {

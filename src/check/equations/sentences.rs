@@ -227,7 +227,7 @@ fn refers_to(
             let others = match holders.as_slice() {
                 [] => String::new(),
                 [only] => format!("; ({only}) does"),
-                all => format!("; ({}) do", all.join("), (")),
+                [before @ .., last] => format!("; ({}) and ({last}) do", before.join("), (")),
             };
             let message = match found {
                 Some(_) => format!("({}) does not contain {words}{others}", number),

@@ -62,7 +62,7 @@ pub(crate) fn on_another_branch(
         |function: &Expr| format!("{} {}", text::formula(function, &context.model.symbols), principal_values(function));
     let values: Vec<String> = functions.iter().map(values).collect();
     let message = format!(
-        "holds on one branch only, because {}; it holds at the {holding} sampled states with {condition}, and fails at \
+        "holds only where {condition}, because {}; it holds at the {holding} sampled states with {condition}, and fails at \
          others",
         values.join(", and ")
     );

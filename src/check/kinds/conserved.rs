@@ -11,6 +11,7 @@ use crate::check::model::free_symbols;
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
+use crate::check::sample::unmet_hypotheses::listed;
 use crate::check::search::family_sizes;
 use crate::check::state::counterexample::values_of_motion;
 use crate::check::vacuity::forced_value;
@@ -30,12 +31,21 @@ pub fn check(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
 fn judged(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     let has_motion = context.model.has_motion();
     if !has_motion && !context.hypotheses.iter().any(is_about_rates) {
-        return Ok(context.finding(
-            Code::NoMotion,
-            Verdict::Undecided,
-            "nothing determines the motion; name a \"system\" or \"laws\", or say which name is the Lagrangian: \
-             \"means\": { \"L\": \"Lagrangian\" }",
-        ));
+        // A pressure or a volume has no equation of motion, but a law or a hypothesis may say how it changes.
+        let model = context.model;
+        let is_varying =
+            |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::Varying(_) | Meaning::Coordinate(_)));
+        let varying = free_symbols::drawn(&[expr], model).into_iter().filter(is_varying);
+        let names: Vec<String> = varying.map(|id| text::plain(&model.name(id))).collect();
+        let change = if names.len() == 1 { "changes" } else { "change" };
+        let what = match names.is_empty() {
+            true => "nothing determines the motion".to_owned(),
+            false => format!("nothing says how {} {change}", listed(&names, "and")),
+        };
+        let message = format!(
+            "{what}; name a \"system\" or \"laws\", or say which name is the Lagrangian: \"means\": {{ \"L\": \"Lagrangian\" }}"
+        );
+        return Ok(context.finding(Code::NoMotion, Verdict::Undecided, message));
     }
     if let Some(finding) = context.unclear(&[expr]) {
         return Ok(finding);
@@ -58,6 +68,10 @@ fn judged(expr: &Expr, context: &Context<'_>) -> Result<Finding> {
     // Where only hypotheses say how something moves, they are the motion.
     let free = Context { hypotheses: if has_motion { context.hypotheses } else { &[] }, ..*context };
     let off_shell = free.ensemble(free.mode(false, &[&link.lhs]), false, context.options.points)?;
+    // Hypotheses that contradict each other leave no state, at which anything would be constant.
+    if off_shell.states.is_empty() {
+        return Ok(context.no_state(&off_shell));
+    }
     match run(&link, &off_shell.states) {
         Err(reason) => return Ok(context.unavailable(&reason)),
         Ok(outcome) if outcome.failure.is_none() => {

@@ -3,14 +3,15 @@
 //! Where a quantity is scaled by ε, the difference of the sides is c·εᵖ with smaller terms after it. In doubles p must be
 //! read off before rounding exceeds the difference, and a small c is not seen. Here the difference is enclosed at
 //! ε = 2⁻²⁰⁰ and at 2⁻⁴⁰⁰, where the first term exceeds all others even if c is 10⁻⁴⁰ of theirs. The quotient of the two
-//! gives p to 1/100.
+//! gives p to 1/100. Offers the message that two sides differ at an order too.
 
 use num_dual::DualStruct;
 
-use crate::formula::IndexId;
+use crate::formula::{Expr, IndexId, text};
 use crate::scalar::enclosure::{Enclosure, evaluate_to};
 use crate::scalar::{Arithmetic, Primal};
 
+use crate::check::model::Model;
 use crate::check::model::claim::Link;
 use crate::check::sample::enclosed;
 use crate::check::sample::projection::Projection;
@@ -115,6 +116,22 @@ pub(crate) fn course(steps: &[Vec<Gap>]) -> Course {
             Course::Falls
         }
         () => Course::Unclear,
+    }
+}
+
+/// The message that two sides differ at an order, with its power where one letter is small: "differ at order x^3 for small x".
+pub(crate) fn differ_at(order: f64, small: &[Expr], model: &Model) -> String {
+    match small {
+        [only] if only.as_plain_symbol().is_some() => {
+            let name = text::formula(only, &model.symbols);
+            let order = match order.round() {
+                order if order < 1.0 => "leading order".to_owned(),
+                order if order < 2.0 => format!("order {name}"),
+                order => format!("order {name}^{order:.0}"),
+            };
+            format!("the two sides differ at {order} for small {name}")
+        }
+        _ => format!("the two sides differ at order {order:.0} of the small quantities"),
     }
 }
 

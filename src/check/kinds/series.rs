@@ -89,6 +89,10 @@ impl Series {
     pub fn check(&self, context: &Context<'_>) -> Result<Finding> {
         let found = small::check(&self.link, &self.small_names(), self.order, context)?;
         let name = text::plain(&context.model.name(self.small));
+        // A message that names the order names the letter too.
+        if found.message.ends_with(&format!(" for small {name}")) {
+            return Ok(found);
+        }
         let message = format!("{}; {name} is taken to be small", found.message);
         Ok(Finding { message, ..found })
     }

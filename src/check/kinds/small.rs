@@ -207,7 +207,7 @@ fn scaled(link: &Link, small: &[Expr], order: u32, context: &Context<'_>) -> Res
                     ..context.finding(
                         Code::OrderDiffers,
                         Verdict::Refuted,
-                        format!("the two sides differ at order {:.0} of the small quantities", power.max(0.0)),
+                        rate::differ_at(power.max(0.0), small, context.model),
                     )
                 });
             }

@@ -23,7 +23,7 @@
 use std::cell::OnceCell;
 
 use crate::Result;
-use crate::formula::{Expr, Node, text};
+use crate::formula::{Expr, Node, SymbolId, text};
 use crate::latex::slips::{Edit, InsertionPoint, Slip};
 use crate::latex::{Reading, read_formula, slips, typeset};
 use crate::notes::claims::{Claim, Holds};
@@ -37,6 +37,7 @@ use crate::check::judge::difference;
 use crate::check::judge::difference::{entries, normal};
 use crate::check::judge::term_fit::{leaves, multiplied_out};
 use crate::check::model::claim::{Link, is_equality};
+use crate::check::model::meaning::Meaning;
 use crate::check::model::sampling::Spread;
 use crate::check::repair::power_products::{Factors, NEAR, STATES, bases, constant};
 use crate::check::sample::context::Context;
@@ -361,6 +362,9 @@ impl<'w, 'a> MissingPart<'w, 'a> {
             return None;
         }
         let sign = if product.is_negative() { '-' } else { '+' };
+        if hole.slip == Slip::Term && self.restates_a_definition(&[&product.above, &product.below], link) {
+            return None;
+        }
         let is_other_side = |side: &Expr| product.above.iter().any(|factor| factor == side);
         let restates = is_other_side(&link.lhs) || is_other_side(&link.rhs);
         // A quotient by a sum or a rate, or many factors, are unlikely to be missing.
@@ -372,6 +376,22 @@ impl<'w, 'a> MissingPart<'w, 'a> {
             return None;
         }
         Some(Found { sign, latex: product.latex, cost: product.cost, sum: None })
+    }
+
+    /// Whether a product contains a name, or a rate of one, that the letters of the equation define: E = ½mẋ² + ½kx² in mẍ = −kx. Such a
+    /// term repeats the definition, and says nothing of what is missing.
+    fn restates_a_definition(&self, parts: &[&[Expr]], link: &Link) -> bool {
+        let model = self.checker.model;
+        let own: Vec<SymbolId> =
+            [&link.lhs, &link.rhs].iter().flat_map(|side| side.symbols()).map(|(id, _)| id).collect();
+        let is_made_of_them = |id: SymbolId| match model.meaning(id) {
+            Some(Meaning::Defined(formula)) if !own.contains(&id) => {
+                let letters = formula.symbols();
+                !letters.is_empty() && letters.iter().all(|(letter, _)| own.contains(letter))
+            }
+            _ => false,
+        };
+        parts.iter().flat_map(|part| part.iter()).flat_map(Expr::symbols).any(|(id, _)| is_made_of_them(id))
     }
 
     pub(crate) fn proposal(&self, hole: InsertionPoint, sign: char, latex: &str, cost: usize) -> Proposal {

@@ -2,7 +2,7 @@
 //!
 //! Offers methods of [`Checker`](crate::check::document::checker::Checker) that add repairs to equations. The edits change
 //!
-//! - the display itself ([`suggest`]), or put missing terms and factors into it ([`missing_terms`]);
+//! - the display itself ([`suggest`]; for inequalities see [`inequalities`]), or put missing terms and factors into it ([`missing_terms`]);
 //! - a definition that it makes or uses ([`definition_edit`]);
 //! - a definition or law that several wrong equations use ([`shared_edit`]), or one that no passing equation uses
 //!   ([`unconfirmed_premises`]).
@@ -14,6 +14,7 @@
 pub(crate) mod blame;
 pub(crate) mod culprit;
 pub(crate) mod definition_edit;
+pub(crate) mod inequalities;
 pub(crate) mod items;
 pub(crate) mod missing_terms;
 pub(crate) mod missing_vectors;

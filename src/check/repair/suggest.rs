@@ -31,6 +31,7 @@ use crate::check::document::checker::Checker;
 use crate::check::document::names::is_wrong;
 use crate::check::document::setup::Run;
 use crate::check::model::Model;
+use crate::check::repair::inequalities::{has_inequality, may_be_meant};
 use crate::check::repair::missing_terms;
 use crate::check::repair::ranking::{adds_parentheses, rank};
 use crate::check::trial::failed_display::{FailedDisplay, MISSING, OFFERED, cut_to_step};
@@ -235,6 +236,7 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, sear
         found.retain(|suggestion| !suggestion.vacuous);
         Ok(found)
     };
+    let of_inequality = has_inequality(wrong.reading);
     // An edit that removes something often makes a true equation that was not meant, so the search then goes on.
     let mut removals: Vec<Suggestion> = Vec::new();
     // An edit after which the equation says nothing is offered only if there is no other.
@@ -267,6 +269,9 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, sear
             _ => true,
         };
         edits.retain(|edit| !has_branches(&edit.replacement) || has_branches(wrong.text) || has_root(edit));
+        if of_inequality {
+            edits.retain(|edit| may_be_meant(wrong.text, edit));
+        }
         if is_short {
             edits.retain(|edit| !is_removal(edit));
             edits.sort_by_key(|edit| edit.slip);
@@ -275,6 +280,10 @@ pub(crate) fn suggestions(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, sear
         let mut found = passing_edits(checker, wrong, &edits)?;
         tried.extend(edits.into_iter().map(|edit| (edit.span, edit.replacement)));
         found.sort_by_key(|suggestion| rank(wrong.text, &suggestion.edit, suggestion.step));
+        // Of an inequality the relation is the likeliest to be reversed.
+        if of_inequality {
+            found.sort_by_key(|suggestion| suggestion.edit.slip != Slip::Relation);
+        }
         vacuous.extend(found.extract_if(.., |suggestion| suggestion.vacuous).filter(|_| at < LAST));
         pairs.extend(found.extract_if(.., |suggestion| adds_parentheses(wrong.text, &suggestion.edit)));
         let is_less = found.iter().all(|suggestion| is_removal(&suggestion.edit));

@@ -1,10 +1,11 @@
 //! The hypotheses that no state obeys, in words, with the places at which they are stated.
 
-use crate::formula::text;
+use crate::formula::{Relation, text};
 
 use crate::check::model::claim::Hypothesis;
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::projection::Projection;
+use crate::check::sample::sampler::contains;
 
 /// The largest number of hypotheses that are named as failing, and as possibly contradicted.
 const NAMED: usize = 3;
@@ -22,9 +23,14 @@ pub(crate) fn explanation(projection: &Projection<'_>) -> String {
     {
         return said;
     }
+    if let Some(said) = hypotheses.iter().find_map(|hypothesis| outside_its_range(hypothesis, projection)) {
+        return said;
+    }
+    let is_of_a_law = |hypothesis| projection.model.laws.iter().any(|law| law.hypotheses.contains(hypothesis));
     if let [(at, _)] = unmet.as_slice()
         && hypotheses[*at].throughout
         && projection.model.has_motion()
+        && !is_of_a_law(&hypotheses[*at])
     {
         let what = shown(&hypotheses[*at], projection);
         return format!(
@@ -74,6 +80,18 @@ fn impossible_motion(hypothesis: &Hypothesis, projection: &Projection<'_>) -> Op
     })
 }
 
+/// What is said of a hypothesis that gives a name a number outside of its declared range: m = 0, where m is declared positive.
+fn outside_its_range(hypothesis: &Hypothesis, projection: &Projection<'_>) -> Option<String> {
+    let model = projection.model;
+    let name = hypothesis.lhs.as_plain_symbol()?;
+    let number = if hypothesis.rhs.is_zero() { 0.0 } else { hypothesis.rhs.as_digits()?.parse().ok()? };
+    let is_outside = hypothesis.relation == Relation::Equal && !contains(&model.range(name), number);
+    is_outside.then(|| {
+        let (what, name) = (shown(hypothesis, projection), text::plain(&model.name(name)));
+        format!("{what}: it contradicts the declared range of {name}; remove the hypothesis, or declare a range with this number")
+    })
+}
+
 /// A hypothesis in words, with its place.
 fn shown(hypothesis: &Hypothesis, projection: &Projection<'_>) -> String {
     let symbols = &projection.model.symbols;
@@ -84,7 +102,7 @@ fn shown(hypothesis: &Hypothesis, projection: &Projection<'_>) -> String {
 }
 
 /// Phrases joined by commas and a last word.
-fn listed(phrases: &[String], last: &str) -> String {
+pub(crate) fn listed(phrases: &[String], last: &str) -> String {
     match phrases {
         [others @ .., end] if !others.is_empty() => format!("{} {last} {end}", others.join(", ")),
         phrases => phrases.concat(),

@@ -19,7 +19,7 @@ use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
 use crate::check::sample::ensemble::Ensemble;
 use crate::check::sample::sampler::contains;
-use crate::check::search::bounds::{Least, Ranges, fraction};
+use crate::check::search::interval_bounds::{Least, Ranges, fraction};
 use crate::check::search::{dips, magnitudes};
 use crate::check::state::sampled_state::SampledState;
 use crate::check::verdict::finding::Finding;

@@ -6,7 +6,7 @@
 
 use crate::scalar::Interval;
 
-use crate::check::search::bounds::Ranges;
+use crate::check::search::interval_bounds::Ranges;
 
 /// The largest number of rounds over all numbers.
 const ROUNDS: usize = 60;

@@ -23,6 +23,7 @@ mod explanations;
 mod formulas;
 mod gate;
 pub(super) mod guess;
+mod indexed_states;
 mod inline;
 mod laws;
 mod links;
@@ -37,7 +38,6 @@ mod screen;
 mod signs;
 mod solutions;
 mod special_cases;
-mod states;
 
 use std::collections::{HashMap, HashSet};
 

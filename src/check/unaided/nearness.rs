@@ -194,7 +194,11 @@ impl Course<'_, '_> {
         }
         for condition in conditions.iter().take(SOUGHT) {
             if let Some(mut wrong) = self.slip(at, &condition.claim, &[], &words)? {
-                wrong.finding.message = format!("the sides do not agree as {}", condition.says);
+                // To an order, both sides may tend to the same number: the finding says at which order they differ.
+                if !condition.is_ordered {
+                    wrong.finding.message =
+                        format!("the ratio of the two sides does not tend to 1 as {}", condition.says);
+                }
                 return Ok(Some(wrong));
             }
         }

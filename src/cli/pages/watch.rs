@@ -13,6 +13,7 @@ use crate::check::Report;
 use crate::cli::check;
 use crate::cli::files::documents::{Job, find};
 use crate::cli::outcome::{Outcome, Screen, shown};
+use crate::cli::values;
 use crate::error::reason;
 use crate::notes::Claims;
 use crate::page::{self, Exhibit};
@@ -38,7 +39,7 @@ pub struct Arguments {
     #[arg(long)]
     serve: bool,
     /// The port of --serve; 0 takes one that is free
-    #[arg(long, default_value_t = 8321)]
+    #[arg(long, default_value_t = 8321, value_parser = values::port)]
     port: u16,
 }
 

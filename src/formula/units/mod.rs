@@ -97,6 +97,12 @@ impl fmt::Display for Dimension {
     }
 }
 
+/// A unit with a whole power, as it stands in a [`Dimension`]: `s⁻²`.
+pub(crate) fn power_of_unit(unit: &str, power: i32) -> String {
+    let power = if power == 1 { String::new() } else { power.to_string() };
+    format!("{unit}{}", power.chars().map(superscript).collect::<String>())
+}
+
 /// An exponent as it stands behind a unit: `²`, `⁻¹`, `^(1/2)`, nothing for 1.
 fn raised(exponent: Ratio) -> String {
     match exponent.as_whole() {

@@ -96,6 +96,7 @@ pub(super) fn unclosed(span: Span, open: &str) -> Fault {
         "\\|" => "\\|",
         "\\langle" => "\\rangle",
         "\\left" => "\\right and a bracket, as in \\right),",
+        _ if open.starts_with("\\begin") => &open.replacen("\\begin", "\\end", 1),
         _ => return Fault::new(span, format!("this {open} is never closed")).help("add what closes it"),
     };
     Fault::new(span, format!("this {open} is never closed")).help(format!("add {close} where it ends"))

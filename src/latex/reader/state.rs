@@ -105,6 +105,7 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
                 false => "write the formula without it",
             })
         }
+        "\\sim" => Fault::unsupported(span, "∼ is not supported").help("write = or \\approx"),
         "\\underbrace" | "\\overbrace" => {
             Fault::unsupported(span, "a formula as the label of a brace is not supported")
                 .help("write the label in \\text{…}, or remove the brace")

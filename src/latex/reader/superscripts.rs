@@ -263,7 +263,7 @@ impl Reader<'_> {
         let is_unclear = |letter: &String| self.symbols.inferred.unclear_letters.contains(letter);
         if self.symbols.guessed && letters.iter().any(is_unclear) && !matches!(base.node, Node::Number(_)) {
             return Err(unclear(span, sup, "an index or a power")
-                .help("write indices as a subscript; for a power, use a letter that is no index elsewhere"));
+                .help("upper indices are not supported; write them as a subscript; for a power, use a letter that is no index elsewhere"));
         }
         match self.symbols.open {
             // The letter of a Σ above a name without an index, `\sum_N N^3 x^N`, is a power.

@@ -113,6 +113,8 @@ pub(super) fn wrong(json: &Json, name: &str, expected: &str) -> Fault {
     let fault = Fault::claims(json.span, format!("\"{name}\" must be {expected}, not {}", json.value.kind()));
     match (name, expected) {
         ("skip" | "because", _) => fault.help(format!("write the reason, as in \"{name}\": \"a picture shows it\"")),
+        ("generates", _) => fault.help("write \"generates\": \"the motion\""),
+        ("holds", _) => fault.help("write \"holds\": \"always\" or \"holds\": \"on shell\""),
         (_, "a string") => fault.help(format!("write it in quotation marks, as in \"{name}\": \"…\"")),
         (_, "a number") => fault.help(format!("write digits, as in \"{name}\": 2")),
         _ => fault,
@@ -121,7 +123,7 @@ pub(super) fn wrong(json: &Json, name: &str, expected: &str) -> Fault {
 
 /// A value of a key that holds names, for the help of an error.
 fn example(what: &str) -> Option<&'static str> {
-    const EXAMPLES: [(&str, &str); 8] = [
+    const EXAMPLES: [(&str, &str); 13] = [
         ("coordinates", "{ \"\\\\theta\": \"angle\" }"),
         ("constants", "{ \"m, k\": \"> 0\" }"),
         ("varies with time", "{ \"x\": \"any\" }"),
@@ -129,6 +131,11 @@ fn example(what: &str) -> Option<&'static str> {
         ("units", "{ \"m\": \"kg\" }"),
         ("means", "{ \"L\": \"Lagrangian\" }"),
         ("functions", "{ \"V\": \"of r\" }"),
+        ("an erratum", "{ \"for\": \"\\\\cos\", \"read\": \"\\\\sin\" }"),
+        ("symmetry", "{ \"x\": \"-y\", \"y\": \"x\" }"),
+        ("where", "{ \"m\": \"m_1 + m_2\" }"),
+        ("at", "{ \"\\\\theta\": \"\\\\theta_0\" }"),
+        ("laws", "{ \"Newton's second law\": \"1\" }"),
         ("equations", "{ \"2\": { \"small\": \"\\\\theta\" } }"),
     ];
     EXAMPLES.iter().find(|(key, _)| what.trim_matches('"') == *key).map(|(_, example)| *example)
@@ -140,7 +147,10 @@ pub(super) fn object<'a>(json: &'a Json, what: &str) -> Result<&'a [(Text, Json)
         other => {
             let fault = Fault::claims(json.span, format!("{what} must be an object, {{ … }}, not {}", other.kind()));
             Err(match example(what) {
-                Some(example) => fault.help(format!("for example, {what}: {example}")),
+                Some(example) => {
+                    let key = what.strip_prefix("an ").map_or_else(|| what.to_owned(), |key| format!("\"{key}\""));
+                    fault.help(format!("for example, {key}: {example}"))
+                }
                 None => fault,
             })
         }

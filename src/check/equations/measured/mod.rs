@@ -12,6 +12,7 @@
 //! below.
 
 mod natural;
+mod printed_units;
 mod quantity;
 mod substitution;
 
@@ -30,6 +31,7 @@ use crate::check::sample::context::Context;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 
+pub(crate) use printed_units::shown as shown_quantity;
 use quantity::{Printed, Quantity, Trouble, has_decimals, quantity};
 
 /// The relative distance of two results that are equal: authors round in steps, and take 3.14 for π.
@@ -127,14 +129,14 @@ impl Checker<'_> {
         match substitution::found(formula, printed) {
             Some(values) => {
                 let name = |id| text::plain(&self.model.name(id));
-                let shown_value = |value: &Expr| text::formula(value, &self.model.symbols);
+                let shown_value = |value: &Expr| printed_units::shown(value, &self.model.symbols);
                 let values: Vec<String> =
                     values.iter().map(|(id, value)| format!("{} = {}", name(*id), shown_value(value))).collect();
                 context.finding(Code::Introduced, Verdict::Definition, format!("inserts {}", values.join(", ")))
             }
             None => {
                 let message = format!(
-                    "the numbers for {shown} were not checked: the notes do not give all of its letters a value"
+                    "the numbers for {shown} were not checked; write {shown} with the value of each letter in its place"
                 );
                 context.finding(Code::Assumed, Verdict::Assumed, message)
             }
@@ -201,12 +203,24 @@ pub(crate) fn compared(left: &Expr, right: &Expr, is_approximate: bool, context:
     }
 }
 
+/// The unit of a formula of numbers and units and that of a printed value, if they do not fit.
+pub(crate) fn other_units(formula: &Expr, printed: &Expr, context: &Context<'_>) -> Option<[String; 2]> {
+    let [a, b] = [quantity(formula).ok()?, quantity(printed).ok()?];
+    let differ = a.dimension != b.dimension && judged(formula, printed, false, context).verdict == Verdict::Refuted;
+    differ.then(|| [a.dimension.to_string(), b.dimension.to_string()])
+}
+
+/// Whether a formula of numbers and units gives the printed value to its last digit.
+pub(crate) fn agree_to_the_digits(formula: &Expr, printed: &Expr, context: &Context<'_>) -> bool {
+    judged(formula, printed, false, context).verdict == Verdict::Verified
+}
+
 /// The value of a formula of numbers and units in the unit of a printed value, and that value, for messages; `None` if their units
 /// differ.
 pub(crate) fn in_words(formula: &Expr, printed: &Expr, context: &Context<'_>) -> Option<(String, String)> {
     let value = quantity(formula).ok()?;
     quantity(printed).ok().filter(|other| other.dimension == value.dimension)?;
-    let shown = text::formula(printed, &context.model.symbols);
+    let shown = printed_units::shown(printed, &context.model.symbols);
     let computed = match Printed::of(printed) {
         Some(unit) => in_unit(value.value, &unit, context),
         None => in_si(&value),
@@ -322,7 +336,7 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
     let computed = in_unit(computed, shown, context);
     match is_apart {
         true => {
-            let printed = text::formula(if printed[1].is_some() { right } else { left }, &context.model.symbols);
+            let printed = printed_units::shown(if printed[1].is_some() { right } else { left }, &context.model.symbols);
             let message = format!("the numbers give {computed}, and {printed} is printed");
             context.finding(Code::NumbersDiffer, Verdict::Refuted, message)
         }
@@ -330,7 +344,7 @@ fn judged(left: &Expr, right: &Expr, is_approximate: bool, context: &Context<'_>
             context,
             format!(
                 "the numbers give {computed}, and {} is printed; the numbers have too few digits to call this wrong",
-                text::formula(if printed[1].is_some() { right } else { left }, &context.model.symbols)
+                printed_units::shown(if printed[1].is_some() { right } else { left }, &context.model.symbols)
             ),
         ),
     }
@@ -411,17 +425,12 @@ fn in_si(quantity: &Quantity) -> String {
 
 /// A value in the unit of a printed result.
 fn in_unit(value: f64, printed: &Printed<'_>, context: &Context<'_>) -> String {
-    let (powers, units): (Vec<&Expr>, Vec<&Expr>) =
-        printed.rest.iter().copied().partition(|part| quantity::is_power_of_ten(part));
-    let power = powers.iter().filter_map(|part| quantity(part).ok()).fold(1.0, |all, part| all * part.value);
+    let powers = printed.rest.iter().filter(|part| quantity::is_power_of_ten(part));
+    let power = powers.filter_map(|part| quantity(part).ok()).fold(1.0, |all, part| all * part.value);
     // In this order, so that a very large or small power does not lose the value.
-    let mut shown = digits(value / (printed.scale / power));
-    for unit in units {
-        let is_sign = matches!(&unit.node, Node::Unit(unit) if unit.is_sign());
-        let unit = text::formula(unit, &context.model.symbols);
-        shown.push_str(&if is_sign { unit } else { format!("·{unit}") });
-    }
-    shown
+    let number = digits(value / (printed.scale / power));
+    let units: Vec<&Expr> = printed.rest.iter().copied().filter(|part| !quantity::is_power_of_ten(part)).collect();
+    printed_units::with_units(number.clone(), &units, &context.model.symbols).unwrap_or(number)
 }
 
 /// A number with four digits that count.

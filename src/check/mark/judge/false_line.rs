@@ -52,13 +52,28 @@ impl Judge<'_, '_> {
         }
         if let Some(from) = self.carried_from(at, reading)? {
             (line.mark, line.follows_from) = (Mark::Carried, Some(from));
-            line.because = carried(&self.lines, from);
+            line.because = carried(&self.lines, from, &self.wrong_values_in(reading));
             return Ok(());
         }
         let (mark, verdict, because) = self.open_or_wrong(at, reading)?;
         (line.mark, line.because) = (mark, because.into());
         line.verdict = verdict.or(line.verdict);
         Ok(())
+    }
+
+    /// The false lines that are the last before this one to give a value to a name in it.
+    fn wrong_values_in(&self, reading: &Reading) -> Vec<usize> {
+        let members = |reading: &'_ Reading| {
+            let statements = reading.statements.iter().flatten();
+            statements.flat_map(|statement| statement.members.clone()).collect::<Vec<_>>()
+        };
+        let gives =
+            |at: usize| members(self.premises.get(self.world.first + at)?).first().and_then(Expr::as_plain_symbol);
+        let mut names: Vec<SymbolId> = members(reading).iter().flat_map(Expr::symbols).map(|(id, _)| id).collect();
+        names.sort_unstable_by_key(|id| id.0);
+        names.dedup();
+        let last = |id: &SymbolId| (0..self.lines.len()).rev().find(|at| gives(*at) == Some(*id));
+        names.iter().filter_map(last).filter(|at| self.lines[*at].mark == Mark::Wrong).collect()
     }
 
     /// What a line gives: a law, a condition, a value. Lines after it are also judged under it.

@@ -214,7 +214,7 @@ impl Judge<'_, '_> {
             }
         } else if let (Status::Holds(_), Some(from)) = (&status, broken) {
             (line.mark, line.follows_from) = (Mark::Carried, Some(from));
-            line.because = carried(&self.lines, from);
+            line.because = carried(&self.lines, from, &[]);
             line.verdict = Some(Verdict::Refuted);
             self.push(line);
             return Ok(());
@@ -438,17 +438,33 @@ const OTHER_START: &str = "solves the equations of motion, but for other initial
 /// What is said of a relation between coordinates that some motions keep.
 const SOME_MOTIONS: &str = "holds for some motions, and the problem does not say that this is one of them";
 
-fn carried(lines: &[Line], from: usize) -> Because {
+/// That a line builds on a false line, and on the other false lines that give a value to a name in it.
+fn carried(lines: &[Line], from: usize, others: &[usize]) -> Because {
     let mut root = from;
     while let Some(next) = lines[root].follows_from {
         root = next;
     }
-    match root == from {
-        true => format!("is a correct step, but builds on the mistake in {}", lines[root].name),
-        false => format!(
+    if root != from {
+        return format!(
             "is a correct step, but builds on {}, which builds on the mistake in {}",
             lines[from].name, lines[root].name
-        ),
+        )
+        .into();
+    }
+    let mut all: Vec<usize> = others.iter().copied().chain([from]).collect();
+    all.sort_unstable();
+    all.dedup();
+    let names: Vec<&str> = all.iter().map(|at| lines[*at].name.as_str()).collect();
+    match names.as_slice() {
+        [before @ .., last] if !before.is_empty() => {
+            let numbers: Vec<&str> = names.iter().map(|name| name.trim_start_matches("line ")).collect();
+            let last = last.trim_start_matches("line ");
+            format!(
+                "is a correct step, but builds on the mistakes in lines {} and {last}",
+                numbers[..numbers.len() - 1].join(", ")
+            )
+        }
+        _ => format!("is a correct step, but builds on the mistake in {}", lines[from].name),
     }
     .into()
 }

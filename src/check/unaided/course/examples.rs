@@ -7,12 +7,15 @@
 use crate::Result;
 use crate::check::document::checker::Checker;
 use crate::check::document::inferred::prose::body_of;
-use crate::check::equations::measured::{Comparison, compared, in_words};
+use crate::check::equations::measured::{
+    Comparison, agree_to_the_digits, compared, in_words, other_units, shown_quantity,
+};
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
 use crate::check::repair::culprit::is_common;
 use crate::check::repair::ranking::{adds_parentheses, rank};
 use crate::check::repair::suggest::is_in_source;
+use crate::check::sample::unmet_hypotheses::listed;
 use crate::check::unaided::course::Course;
 use crate::check::unaided::gate;
 use crate::check::verdict::Verdict;
@@ -32,6 +35,9 @@ pub(in crate::check::unaided) const LOST_FACTORS: [&str; 4] = ["2", "\\frac12", 
 
 /// The deepest chain of definitions that is written out.
 const DEEPEST: usize = 6;
+
+/// The most letters, those of definitions included, among which those without a value are looked for.
+const MOST_LETTERS: usize = 64;
 
 /// The value of a letter, and where it is printed.
 #[derive(Clone)]
@@ -68,15 +74,20 @@ impl Course<'_, '_> {
             return Ok(None);
         };
         let given = self.values_before(at);
-        let Some((with_values, used)) = self.put_in(example.formula, &given) else { return Ok(None) };
+        let Some((with_values, used)) = self.put_in(example.formula, &given) else {
+            return Ok(self.without_values(&example, &given, found));
+        };
         let context = self.context(&[]);
         let compare = |formula: &Expr| compared(formula, example.numbers, example.is_approximate, &context);
         let shown: Vec<String> = used.iter().map(|given| self.shown(given)).collect();
         let finding = |verdict: Verdict, code: Code, message: String| gate::settled(found, (verdict, code), message);
         let outcome = compare(&with_values);
         if outcome == Comparison::Agree {
-            let message =
-                format!("the numbers agree with the formula to one part in a hundred, for {}", shown.join(", "));
+            let near = match agree_to_the_digits(&with_values, example.numbers, &context) {
+                true => "to the printed digits",
+                false => "to one part in a hundred",
+            };
+            let message = format!("the numbers agree with the formula {near}, for {}", shown.join(", "));
             return Ok(Some(finding(Verdict::Verified, Code::Holds, message)));
         }
         // The formula stands here, or in the display that defines the name.
@@ -88,7 +99,16 @@ impl Course<'_, '_> {
             },
         };
         let values = in_words(&with_values, example.numbers, &context).filter(|_| place == at);
+        let units = other_units(&with_values, example.numbers, &context).filter(|_| place == at);
         let other = || {
+            if let Some([computed, printed]) = &units {
+                let message = format!(
+                    "the units do not fit: for {}, the formula is in {computed}, and the printed value in {printed}; correct one \
+                     of them; this is not called wrong, since these values may belong to another example",
+                    shown.join(", ")
+                );
+                return Some(finding(Verdict::Assumed, Code::Assumed, message));
+            }
             let (computed, printed) = values.as_ref()?;
             let message = format!(
                 "the formula gives {computed} for {}, and {printed} is printed; this is not called wrong, since these values \
@@ -132,6 +152,34 @@ impl Course<'_, '_> {
             None => format!("the formula does not give these numbers for {}", shown.join(", ")),
         };
         Ok(Some(Equation { repairs: vec![repair], ..finding(Verdict::Refuted, Code::NumbersDiffer, message) }))
+    }
+
+    /// The finding on numbers with units beside a formula of which a letter has no value, which says what letter this is.
+    fn without_values(&self, example: &Example<'_>, given: &[Given], found: &Equation) -> Option<Equation> {
+        let (model, left_open) = (self.checker.model, (Verdict::Assumed, Code::Assumed));
+        let mut letters: Vec<(SymbolId, u8)> = example.formula.symbols();
+        let mut lacking: Vec<String> = Vec::new();
+        let mut at = 0;
+        while let Some((id, dots)) = letters.get(at).copied().filter(|_| letters.len() < MOST_LETTERS) {
+            at += 1;
+            let is_given = dots == 0 && given.iter().any(|given| given.symbol == id);
+            match model.meaning(id) {
+                _ if is_given => {}
+                Some(Meaning::Defined(inner)) if dots == 0 => {
+                    let new = inner.symbols().into_iter().filter(|symbol| !letters.contains(symbol));
+                    letters.extend(new.collect::<Vec<_>>());
+                }
+                _ => lacking.push(text::with_dots(&model.name(id), dots)),
+            }
+        }
+        if lacking.is_empty() || (found.finding.verdict, found.finding.code) != left_open {
+            return None;
+        }
+        let formula = text::formula(example.formula, &model.symbols);
+        let letters = listed(&lacking, "and");
+        let message =
+            format!("the numbers for {formula} were not checked: the notes before it give no value for {letters}");
+        Some(gate::settled(found, left_open, message))
     }
 
     /// The formula of a name that another display defines, beside the numbers that a statement gives it.
@@ -243,7 +291,7 @@ impl Course<'_, '_> {
 
     fn shown(&self, given: &Given) -> String {
         let symbols = &self.checker.model.symbols;
-        format!("{} = {}", text::plain(&self.checker.model.name(given.symbol)), text::formula(&given.value, symbols))
+        format!("{} = {}", text::plain(&self.checker.model.name(given.symbol)), shown_quantity(&given.value, symbols))
     }
 }
 

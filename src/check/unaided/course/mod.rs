@@ -488,11 +488,13 @@ impl Course<'_, '_> {
 }
 
 pub(super) fn named(set: &[&Premise]) -> String {
+    let mut set = set.to_vec();
+    set.sort_by_key(|premise| premise.at);
     let name = |premise: &&Premise| match premise.said {
         Said::States(_) => format!("({}) in each state", premise.id),
         _ => format!("({})", premise.id),
     };
     let mut ids: Vec<String> = set.iter().map(name).collect();
     ids.dedup();
-    ids.join(", ")
+    crate::check::sample::unmet_hypotheses::listed(&ids, "and")
 }

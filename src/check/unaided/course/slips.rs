@@ -184,7 +184,7 @@ impl Course<'_, '_> {
             found.finding.message = match basis {
                 Basis::Solution => format!("this does not solve {}", named(set)),
                 _ => match found.finding.message.strip_prefix("this does not follow from ") {
-                    Some(others) => format!("this does not follow from {} and {others}", named(set)),
+                    Some(others) => format!("this does not follow from {}, together with {others}", named(set)),
                     None => format!("this does not follow from {}: {}", named(set), found.finding.message),
                 },
             };

@@ -276,7 +276,10 @@ fn finding_as_it_counts(finding: Finding) -> Finding {
         Verdict::Refuted => taken_for_granted(finding.span),
         Verdict::Undecided if finding.code == Code::NoMotion => taken_for_granted(finding.span),
         // The condition is said; nobody declared ranges that contradict it.
-        Verdict::Domain if finding.code == Code::OneBranch => Finding { verdict: Verdict::Verified, ..finding },
+        // A state outside of the condition is no counterexample to what holds under it.
+        Verdict::Domain if finding.code == Code::OneBranch => {
+            Finding { verdict: Verdict::Verified, counterexample: None, ..finding }
+        }
         // The ranges of the symbols were guessed, so where both sides are defined they must agree, and no more.
         Verdict::Domain => {
             let message = "the two sides agree wherever both are defined";

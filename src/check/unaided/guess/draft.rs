@@ -73,6 +73,10 @@ fn reason(role: &str, range: &str, usage: Option<&Usage>) -> String {
             "varies, because a formula with it is said to be constant".to_owned()
         }
         "varies with time" => "varies, because another quantity is written as a function of it or of t".to_owned(),
+        "constants" if range == "imaginary unit" => {
+            return "√−1, because a formula uses it so, as in e^{iωt}, and it is no quantity or index elsewhere"
+                .to_owned();
+        }
         "constants" => "a constant, because nothing says that it varies".to_owned(),
         other => format!("{other}, as the notes suggest"),
     };

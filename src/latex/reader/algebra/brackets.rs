@@ -4,7 +4,7 @@ use crate::formula::shape::Shape;
 use crate::formula::tree::{Expr, Node};
 use crate::source::Fault;
 
-use super::super::super::layout::{Delimiter, Item, Layout};
+use super::super::super::layout::{Delimiter, Item, Layout, typed};
 use super::super::state::{Read, Reader};
 
 impl Reader<'_> {
@@ -24,7 +24,11 @@ impl Reader<'_> {
         if !is_matrix(self.shape_of(&a)?) || !is_matrix(self.shape_of(&b)?) {
             return Err(Fault::unsupported(
                 item.span,
-                "[a, b] may be a commutator of operators, an interval or a list",
+                format!(
+                    "[{}, {}] may be a commutator of operators, an interval or a list",
+                    typed(first).trim(),
+                    typed(second).trim()
+                ),
             )
             .help("for a commutator, write both matrices out, or declare them in the claims file, as in \"A\": \"3x3 matrix\""));
         }

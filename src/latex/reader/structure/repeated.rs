@@ -50,7 +50,7 @@ impl Reader<'_> {
                     factor.span,
                     format!("the superscript {letter} may be an index or a power"),
                 )
-                .help("write \\sum for a sum; for a power, use a letter that is not an index elsewhere"));
+                .help("upper indices are not supported; write the index below, with \\sum for a sum; for a power, use a letter that is not an index elsewhere"));
             }
         }
         let implied = of_each.iter().position(|letters| letters.len() > 1 && letters.iter().any(is_shared));
