@@ -117,6 +117,8 @@ mod unaided_differentials;
 mod unaided_doubts;
 #[path = "cli/unaided_energies.rs"]
 mod unaided_energies;
+#[path = "cli/unaided_formulas.rs"]
+mod unaided_formulas;
 #[path = "cli/unaided_lagrangians.rs"]
 mod unaided_lagrangians;
 #[path = "cli/unaided_letters.rs"]

@@ -168,3 +168,31 @@ fn an_equality_of_a_chain_may_need_what_the_words_say_of_its_names() {
     assert_ne!(sum("If $m_1 = m_2$,"), "refuted");
     assert_ne!(sum("If both have the same mass,"), "refuted");
 }
+
+/// "or" gives a formula another form. Without the word, and in as few symbols, it may be a law of its own.
+#[test]
+fn another_form_of_a_formula_follows_from_it() {
+    let falls = |words: &str, result: &str| {
+        let law = r"v = \frac{2 a^2 (\rho_s - \rho) g}{9\eta}";
+        last("form", &format!("A sphere sinks with\n\n$$ {law} $$\n\n{words}\n\n$$ \\eta = {result} $$\n"))
+    };
+    let form = r"\frac29 \frac{a^2 (\rho_s - \rho) g}{v}";
+    assert!(passes(&falls("or, for the viscosity,", form)));
+    let wrong = falls("or, for the viscosity,", &form.replace("{v}", "{v^2}"));
+    assert!(["refuted", "undecided"].contains(&wrong.as_str()), "{wrong}");
+    assert_eq!(falls("The other fluid has", &form.replace("{v}", "{v^2}")), "assumed");
+}
+
+/// Words that suppose something do not matter to an identity of many names.
+#[test]
+fn an_identity_is_judged_whatever_the_words_suppose() {
+    let divider = |sum: &str| {
+        let notes = format!(
+            "If a load $L$ is connected, $S$ must be replaced by\n\n$$ P = \\frac{{S L}}{{S + L}} $$\n\n\
+             $$ U' = \\frac{{P}}{{R + P}} U = \\frac{{S L}}{{{sum}}} U $$\n"
+        );
+        last("divider", &notes)
+    };
+    assert!(passes(&divider("R S + R L + S L")));
+    assert_eq!(divider("R S + R L - S L"), "refuted");
+}

@@ -178,3 +178,18 @@ $$ w(\ell) = \frac{F\ell^3}{3EI} $$
     let found = findings("unaided-later-formula", beam);
     assert!(found.iter().all(|(verdict, ..)| verdict != "refuted"), "{found:?}");
 }
+
+/// Of three relations between two quantities any one may be wrong; with two that agree the third one is.
+#[test]
+fn no_display_alone_is_blamed_where_three_contradict_each_other() {
+    let notes = |first: &str| {
+        format!(
+            "$$ {first} $$\n\n$$ T = 2\\pi\\sqrt{{\\frac{{m}}{{k}}}} $$\n\n$$ \\omega = \\sqrt{{\\frac{{k}}{{m}}}} $$\n"
+        )
+    };
+    let right = findings("three-right", &notes(r"T = \frac{2\pi}{\omega}"));
+    assert!(right[2].0 == "certified" || right[2].0 == "verified", "{right:?}");
+    let wrong = findings("three-wrong", &notes(r"T = \frac{\omega}{2\pi}"));
+    assert!(wrong.iter().all(|(verdict, ..)| verdict != "refuted"), "{wrong:?}");
+    assert!(wrong[2].1.contains("(L1)") && wrong[2].1.contains("(L3)"), "{wrong:?}");
+}

@@ -169,3 +169,19 @@ fn an_integrand_without_its_letter_is_no_constant() {
     let notes = "With\n$$ m = m_0 - b t $$\nwe integrate,\n$$ \\int_0^t \\ln\\frac{m_0}{m}\\,dt' = \\frac1b\\int_m^{m_0}\\ln\\frac{m_0}{m'}\\,dm'. $$\n";
     assert_ne!(findings("hidden", notes)[1].0, "refuted");
 }
+
+/// The sphere's cap and the square of its rim agree where the cap is half the sphere: a crossing, and no approximation there.
+#[test]
+fn the_end_of_a_chain_is_nearly_equal_in_a_limit_that_no_words_name() {
+    let found = |latex: &str| findings("chain-end", &format!("The cap has the height\n$$ {latex} $$\n")).remove(0);
+    for (right, wrong) in [
+        (r"h = R - \sqrt{R^2 - r^2} \approx \frac{r^2}{2R}", r"h = R - \sqrt{R^2 - r^2} \approx \frac{r^2}{R}"),
+        (
+            r"\Delta = \frac{k}{(d - a)^2} - \frac{k}{d^2} \approx \frac{2 k a}{d^3}",
+            r"\Delta = \frac{k}{(d - a)^2} - \frac{k}{d^2} \approx \frac{3 k a}{d^3}",
+        ),
+    ] {
+        assert_eq!(found(right).0, "verified", "{right}");
+        assert_eq!(found(wrong).0, "refuted", "{wrong}");
+    }
+}
