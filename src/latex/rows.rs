@@ -106,8 +106,11 @@ fn whole(items: &[Item]) -> Option<&[Vec<Vec<Item>>]> {
     // `\begin{array}{rcl} a & = & b \end{array}`
     let has_relation = |row: &Vec<Vec<Item>>| row.iter().flatten().any(|item| relation(item).is_some());
     let is_blank = |row: &Vec<Vec<Item>>| row.iter().flatten().all(|item| matches!(item.layout, Layout::Space(_)));
-    let is_array =
-        name == "array" && rows.iter().any(has_relation) && rows.iter().all(|row| has_relation(row) || is_blank(row));
+    let are_statements =
+        || rows.iter().any(has_relation) && rows.iter().all(|row| has_relation(row) || is_blank(row));
+    // `\begin{matrix} a = b \\ c = d \end{matrix}` has no brackets, and an equation is no element.
+    let is_column = || name == "matrix" && rows.iter().all(|row| row.len() == 1);
+    let is_array = (name == "array" || is_column()) && are_statements();
     (has_rows || is_array || is_system(name, rows)).then_some(rows.as_slice())
 }
 

@@ -34,6 +34,21 @@ pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
             at += length;
             continue;
         }
+        if let Some(length) = bold_d_of_an_integral(&tokens[..at], &tokens[at..]) {
+            let command = TokenKind::Command("\\mathrm".to_owned());
+            found.push(Token { kind: command, span });
+            found.extend_from_slice(&tokens[at + 1..at + length]);
+            at += length;
+            continue;
+        }
+        // `5000\,\AA`: the unit of a length.
+        if is(Some(token), "\\AA") && !braces.contains(&true) {
+            let text = TokenKind::Command("\\text".to_owned());
+            let kinds = [text, TokenKind::Open, token.kind.clone(), TokenKind::Close];
+            found.extend(kinds.map(|kind| Token { kind, span }));
+            at += 1;
+            continue;
+        }
         if let Some(mark) = upright_mark(&tokens[..at], &tokens[at..]) {
             found.extend(mark.into_iter().map(|kind| Token { kind, span }));
             at += 4;
@@ -176,6 +191,39 @@ fn differential_in_bold(tokens: &[Token]) -> Option<usize> {
     };
     let is_flat = rest[..close].iter().all(|token| token.kind != TokenKind::Open);
     (is_one && is_flat && rest.first().is_some_and(is_name)).then_some(close + 4)
+}
+
+/// The number of tokens of a bold d before a letter, `\int P\,\mathbf{d}V`, behind an integral that has no differential before it: an
+/// integral needs one.
+fn bold_d_of_an_integral(before: &[Token], tokens: &[Token]) -> Option<usize> {
+    let is_d = |token: Option<&Token>| token.is_some_and(|token| token.kind == TokenKind::Letter('d'));
+    let is_bold = ["\\mathbf", "\\boldsymbol", "\\bm"].iter().any(|name| is(tokens.first(), name));
+    let length = match tokens.get(1).map(|token| &token.kind) {
+        Some(TokenKind::Open) if is_d(tokens.get(2)) && tokens.get(3)?.kind == TokenKind::Close => 4,
+        Some(TokenKind::Letter('d')) => 2,
+        _ => return None,
+    };
+    let is_letter = |token: &Token| match &token.kind {
+        TokenKind::Letter(_) => true,
+        TokenKind::Command(name) => !["\\cdot", "\\times", "\\right", "\\frac", "\\end"].contains(&name.as_str()),
+        _ => false,
+    };
+    let sign = before.iter().rposition(|token| {
+        matches!(&token.kind, TokenKind::Command(name) if name.ends_with("int") && name.len() < "\\iiiint".len())
+    })?;
+    let ends = |token: &Token| {
+        matches!(token.kind, TokenKind::Other('=' | '<' | '>') | TokenKind::Row | TokenKind::Align)
+            || is(Some(token), "\\quad")
+    };
+    let between = &before[sign + 1..];
+    let after = tokens.get(length..)?;
+    let after = &after[..after.iter().position(ends).unwrap_or(after.len())];
+    let has_other = |tokens: &[Token]| {
+        tokens.windows(2).any(|pair| is_d(pair.first()) && is_letter(&pair[1]))
+            || tokens.windows(3).any(|three| is(three.first(), "\\mathrm") && is_d(three.get(2)))
+    };
+    let is_first = !between.iter().any(ends) && !has_other(between) && !has_other(after);
+    (is_bold && is_first && after.first().is_some_and(is_letter)).then_some(length)
 }
 
 /// The kinds of the tokens for `\text{d}` alone in a numerator, `\mathrm{\delta}` and the like, which are four tokens.

@@ -149,7 +149,9 @@ impl<'a> Splitter<'a, '_> {
         let (items, at) = (self.items, self.at);
         let is_apart = at > 0 && items[at - 1].layout == Layout::Space(Space::Wide);
         let is_number = self.is_abstract && is_apart && ends_the_row(items, at) && is_equation_number(items[at]);
-        let states = self.current.as_ref().or(self.pieces.last()).is_some_and(|piece| piece.links.len() > 1);
+        // `W = mg \quad \text{(N)} \quad (1-2)`: a remark may stand before the number.
+        let before = self.pieces.iter().rev().find(|piece| !piece.is_a_remark());
+        let states = self.current.as_ref().or(before).is_some_and(|piece| piece.links.len() > 1);
         if !is_number || !states {
             return false;
         }

@@ -61,6 +61,13 @@ pub(in super::super) fn is_transpose(item: &Item) -> bool {
     }
 }
 
+/// `-T` or `-\top`, as the mark of the inverse of a transpose.
+pub(in super::super) fn is_inverse_transpose(item: &Item) -> bool {
+    let mut solid = contents(item).iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    let is_minus = solid.next().is_some_and(|first| first.layout == Layout::Other('-'));
+    is_minus && solid.next().is_some_and(is_transpose) && solid.next().is_none()
+}
+
 /// Whether a group holds numbers only.
 pub(super) fn is_numeric(item: &Item) -> bool {
     contents(item).iter().all(|item| match &item.layout {
@@ -158,10 +165,15 @@ pub(super) fn differential_of_many(item: &Item) -> Option<String> {
         matches!(item.layout, Layout::Number(_))
             || ["n", "N", "d", "D", "k"].iter().any(|c| item.layout == Layout::Letter(c.chars().next().unwrap_or(' ')))
     };
+    // `\frac{d^{n-1}y}{dt^{n-1}}`
+    let is_shifted = |letters: &[Item]| {
+        matches!(letters, [Item { layout: Layout::Letter('n' | 'N' | 'm' | 'k'), .. },
+            Item { layout: Layout::Other('-' | '+'), .. }, Item { layout: Layout::Number(_), .. }])
+    };
     let letters = contents(sup);
     (differential(nucleus) == Some(1)
         && !letters.is_empty()
-        && letters.iter().all(is_dimension)
+        && (letters.iter().all(is_dimension) || is_shifted(letters))
         && whole_number(sup).is_none())
     .then(|| format!("d^{{{}}}", super::super::layout::latex(letters)))
 }

@@ -12,7 +12,7 @@ use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout, contents, typed};
 use super::super::names;
-use super::items::{is_minus_one, is_number, is_numeric_item, is_transpose, whole_number};
+use super::items::{is_inverse_transpose, is_minus_one, is_number, is_numeric_item, is_transpose, whole_number};
 use super::state::{Read, Reader};
 
 /// A term `a/bc` as a fraction.
@@ -133,10 +133,7 @@ impl Reader<'_> {
             };
         }
         // `B^{-T}`
-        if let [Item { layout: Layout::Other('-'), .. }, last] = marks.as_slice()
-            && is_transpose(last)
-            && (self.symbols.open || self.symbols.guessed)
-        {
+        if is_inverse_transpose(sup) && (self.symbols.open || self.symbols.guessed) {
             return Err(Fault::ambiguous(span, "this superscript may be the inverse of a transpose, or a power")
                 .help("for a transpose, declare the matrix or write it out"));
         }

@@ -349,7 +349,14 @@ impl Reader<'_> {
             self.is_no_value(&name.to_string(), span, next)?;
         }
         let span = span.to(fence.span);
+        let is_index_or_unit =
+            ["i", "j"].contains(&name.base.as_str()) && name.subscript.is_empty() && self.bound.contains(&name.base);
         let ambiguous = || {
+            if is_index_or_unit {
+                let what = format!("{name} may be √−1 or the index of this sum");
+                return Err(Fault::ambiguous(span, what)
+                    .help("write \\mathrm{i} for √−1, or another letter for the index of the sum"));
+            }
             Err(Fault::ambiguous(span, format!("{name}(…) may be a function or a product")).help(
                 "for a product, put a thin space \\, before the parenthesis; \
                  for a function, declare it under \"functions\" in a claims file",

@@ -9,7 +9,7 @@ use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
-use super::super::items::{is_minus_one, is_transpose, whole_number};
+use super::super::items::{is_inverse_transpose, is_minus_one, is_transpose, whole_number};
 use super::super::state::{Read, Reader};
 use super::super::superscripts::{is_value, names_two_places};
 use super::printed;
@@ -28,7 +28,7 @@ impl Reader<'_> {
             )
             .help("write a label as a subscript, x_n, and a power without the parentheses"));
         }
-        let is_mark = match is_transpose(sup) {
+        let is_mark = match is_transpose(sup) || is_inverse_transpose(sup) {
             true => has_no_powers || self.symbols.inferred.has_transposes,
             false => {
                 // Nobody writes the powers x⁰ and x¹.
