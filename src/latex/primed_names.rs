@@ -11,6 +11,7 @@
 //! | two of them, beside a sine and a cosine: a rotation | all |
 //! | dots on a name with a prime, `\ddot y'`: the dots are the derivatives | all |
 //! | two fractions whose denominators differ by the prime alone, `\frac1s + \frac1{s'} = \frac1f`, and whose numerators have neither name | all |
+//! | a list in parentheses of names that all have primes, beside the same list without them, `Y(\theta', \phi')`, `Y(\theta, \phi)` | all |
 //! | two of them in one product, which stands without primes too: `I\omega = I'\omega'` | all |
 //! | ℓ, l, ω; a bold letter; under a bar, as the mean of a fluctuation | these |
 //! | L, H and calligraphic letters; λ, ν; a velocity, a momentum or an energy with a number below, at least two | these |
@@ -48,6 +49,7 @@ pub(super) fn letters(items: &[Item]) -> Vec<Name> {
         || is_rotation
         || is_twofold
         || found.has_conjugate()
+        || found.has_other_place()
     {
         return found.primed.iter().map(unprimed).collect();
     }
@@ -97,6 +99,8 @@ struct Found {
     terms: Vec<Vec<Name>>,
     /// The names in each numerator, and the denominator below it.
     fractions: Vec<(Vec<Name>, Item)>,
+    /// The names of each list in round parentheses.
+    lists: Vec<Vec<Name>>,
 }
 
 impl Found {
@@ -132,6 +136,13 @@ impl Found {
                 && is_free(above)
                 && self.fractions.iter().any(|(other, twin)| printed(twin) == without && is_free(other))
         })
+    }
+
+    /// Whether a function is taken at a place and at the same one with primes.
+    fn has_other_place(&self) -> bool {
+        let plain =
+            |list: &[Name]| -> Vec<Name> { list.iter().map(|name| Name { primes: 0, ..name.clone() }).collect() };
+        self.lists.iter().any(|list| list.iter().all(|name| name.primes == 1) && self.lists.contains(&plain(list)))
     }
 
     fn list(&mut self, items: &[Item]) {
@@ -194,7 +205,11 @@ impl Found {
                 && matches!(next, Some(Item { layout: Layout::Fence(Delimiter::Round | Delimiter::Square, inside), .. })
                     if is_sum(inside));
             self.has_frame |= is_vector(&name) && name.primes == 1 && name.subscript.len() == 1;
-            self.has_frame |= name.base == "\\Lambda" && next.is_some_and(|next| names::printed(next, None).is_some());
+            // `\Lambda_0{}^\mu F_{\mu\nu}` has an empty group below its upper index.
+            let is_index_of_it =
+                |next: &Item| matches!(&next.layout, Layout::Scripts { nucleus, .. } if contents(nucleus).is_empty());
+            self.has_frame |= name.base == "\\Lambda"
+                && next.is_some_and(|next| names::printed(next, None).is_some() || is_index_of_it(next));
             self.has_second |= name.primes > 1;
             if name.primes == 1 {
                 self.has_rate |= printed.dots > 0;
@@ -210,7 +225,17 @@ impl Found {
                 self.has_sine |= name == "\\sin" || name == "\\sinh";
                 self.has_cosine |= name == "\\cos" || name == "\\cosh";
             }
-            Layout::Group(items) | Layout::Fence(_, items) => self.list(items),
+            Layout::Group(items) | Layout::Fence(_, items) => {
+                let parts: Vec<&[Item]> = items.split(|item| item.layout == Layout::Other(',')).collect();
+                let name = |part: &[Item]| {
+                    let mut solid = part.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+                    let only = solid.next().filter(|_| solid.next().is_none())?;
+                    names::printed(only, None).filter(|found| found.sup.is_none()).map(|found| found.name)
+                };
+                let list: Option<Vec<Name>> = parts.iter().map(|part| name(part)).collect();
+                self.lists.extend(list.filter(|list| list.len() > 1));
+                self.list(items);
+            }
             Layout::Fraction(a, b) => {
                 let above = names_of(&contents(a).iter().collect::<Vec<_>>());
                 self.fractions.push((above, (**b).clone()));

@@ -350,8 +350,9 @@ impl Evidence {
         let plain: Option<Vec<String>> = arguments.iter().map(|argument| self.plain(argument)).collect();
         // Numbers are put in for letters too, `y = k(0) + c`; after these letters a 0 is no instant and no place.
         let is_constant = ["k", "c", "b", "l"].contains(&name.base.as_str()) && delimiter == Delimiter::Round;
-        let is_zero =
-            matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [zero] if is_zero(zero) && !is_constant));
+        let is_zero = matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [zero] if is_zero(zero) && !is_constant))
+            // `c(\infty)`: infinity is no factor.
+            || matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [Item { layout: Layout::Command(sign), .. }] if sign == "\\infty"));
         let indexed = match arguments.as_slice() {
             [only] if self.is_abstract => match trimmed(only) {
                 [name] => names::printed(name, None)

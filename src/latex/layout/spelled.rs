@@ -214,9 +214,17 @@ const NAMES: [&str; 56] = [
 const QUOTIENTS: [&str; 16] =
     ["Ma", "St", "Ca", "Sc", "Eu", "Pr", "Pe", "Sh", "Bi", "Fr", "We", "Gr", "Ra", "Kn", "Bo", "Wo"];
 
+/// Numbers of flows that depend on one another.
+const TRANSFERS: [&str; 9] = ["Re", "Nu", "Sh", "Sc", "Pr", "Pe", "Gr", "Ra", "Bi"];
+
 /// Whether letters are such a name.
 pub fn is_name_of_letters(word: &str) -> bool {
     NAMES.contains(&word)
+}
+
+/// Whether upright letters are a number of a flow, `\mathrm{Ma}^2`.
+pub fn is_number_of_a_flow(word: &str) -> bool {
+    QUOTIENTS.contains(&word) || TRANSFERS.contains(&word)
 }
 
 /// Numbers without a unit, which are names where one of them is a whole left side: `Re = \rho v D/\mu`.
@@ -227,8 +235,14 @@ pub(super) fn with_names(tokens: Vec<Token>) -> Vec<Token> {
     let spots: Vec<(usize, String)> = (0..tokens.len()).filter_map(|at| Some((at, name_at(&tokens, at)?))).collect();
     let has_number =
         spots.iter().any(|(at, name)| NUMBERS.contains(&name.as_str()) && is_left_side(&tokens, *at, name.len()));
+    // `Nu = 0.023\,Re^{0.8} Pr^{0.4}`: beside a number of a flow the others are numbers too.
+    let is_of_a_transfer = spots.iter().any(|(at, name)| {
+        ["Nu", "Sh", "Re"].contains(&name.as_str())
+            && (is_left_side(&tokens, *at, name.len()) || is_equal_to_a_quotient(&tokens, *at, name))
+    });
     let is_sure = |at: usize, name: &String| {
         name == "Re" && is_no_real_part(&tokens, at)
+            || is_of_a_transfer && TRANSFERS.contains(&name.as_str())
             || is_of_a_flow(&tokens, at, name)
             || QUOTIENTS.contains(&name.as_str())
                 && spots.iter().any(|(at, other)| other == name && is_equal_to_a_quotient(&tokens, *at, name))
@@ -260,7 +274,12 @@ fn name_at(tokens: &[Token], at: usize) -> Option<String> {
             TokenKind::Close => true,
             _ => false,
         }),
-        TokenKind::Sub | TokenKind::Super | TokenKind::Command(_) => true,
+        // What stands beside a relation or the sign of a product is no argument.
+        TokenKind::Command(ref name) => {
+            !["\\propto", "\\approx", "\\sim", "\\cdot", "\\times", "\\quad", "\\qquad", "\\leq", "\\geq"]
+                .contains(&name.as_str())
+        }
+        TokenKind::Sub | TokenKind::Super => true,
         _ => false,
     });
     let length = if is_inside { 0 } else { run(&tokens[at..]) };
@@ -271,9 +290,10 @@ fn name_at(tokens: &[Token], at: usize) -> Option<String> {
 /// Whether a run is a whole left side, and one fraction the right one. The Mach number is a speed by another one, c or a, and the Froude
 /// number has a root or g below: `Ma = \frac{dp}{dt}` and `Fr = \frac{L}{t}` are products.
 fn is_equal_to_a_quotient(tokens: &[Token], at: usize, name: &str) -> bool {
-    let begins = tokens[..at].iter().rev().find(|token| token.kind != TokenKind::Space(Space::Thin)).is_none_or(|before| {
-        matches!(before.kind, TokenKind::Row | TokenKind::Align | TokenKind::Space(_) | TokenKind::Other(',' | ';'))
-    });
+    let begins =
+        tokens[..at].iter().rev().find(|token| token.kind != TokenKind::Space(Space::Thin)).is_none_or(|before| {
+            matches!(before.kind, TokenKind::Row | TokenKind::Align | TokenKind::Space(_) | TokenKind::Other(',' | ';'))
+        });
     let mut rest = tokens[at + name.len()..]
         .iter()
         .enumerate()
@@ -294,18 +314,23 @@ fn is_equal_to_a_quotient(tokens: &[Token], at: usize, name: &str) -> bool {
     let below = start + 1 + script(&tokens[start + 1..]);
     let end = (below + script(tokens.get(below..).unwrap_or_default())).min(tokens.len());
     let inside = |from: usize, to: usize| tokens[from..to].iter().filter(|token| token.kind != TokenKind::Open);
-    let is_differential = inside(start + 1, below.min(tokens.len()))
-        .next()
-        .is_some_and(|first| first.kind == TokenKind::Letter('d') || matches!(&first.kind, TokenKind::Command(name) if name == "\\partial" || name == "\\mathrm"));
+    let is_differential = inside(start + 1, below.min(tokens.len())).next().is_some_and(|first| {
+        first.kind == TokenKind::Letter('d')
+            || matches!(&first.kind, TokenKind::Command(name) if name == "\\partial" || name == "\\mathrm")
+    });
     let ends = tokens[end..].iter().find(|token| token.kind != TokenKind::Space(Space::Thin)).is_none_or(|next| {
         matches!(next.kind, TokenKind::Other('=' | '.' | ',' | ';') | TokenKind::Row | TokenKind::Align | TokenKind::Space(_))
-            || matches!(&next.kind, TokenKind::Command(name) if ["\\end", "\\approx", "\\sim", "\\equiv"].contains(&name.as_str()))
+            || matches!(&next.kind, TokenKind::Command(name) if ["\\end", "\\approx", "\\sim", "\\equiv", "\\propto"].contains(&name.as_str()))
     });
-    let has = |command: &str| inside(below.min(end), end).any(|token| matches!(&token.kind, TokenKind::Command(name) if name == command));
+    let has = |command: &str| {
+        inside(below.min(end), end).any(|token| matches!(&token.kind, TokenKind::Command(name) if name == command))
+    };
     let fits = match name {
         "Ma" => {
             let first = inside(below.min(end), end).next();
-            first.is_some_and(|first| matches!(first.kind, TokenKind::Letter('c' | 'a'))) || has("\\sqrt") || has("\\text")
+            first.is_some_and(|first| matches!(first.kind, TokenKind::Letter('c' | 'a')))
+                || has("\\sqrt")
+                || has("\\text")
         }
         "Fr" => has("\\sqrt") || inside(below.min(end), end).any(|token| token.kind == TokenKind::Letter('g')),
         _ => true,

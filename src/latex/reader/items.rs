@@ -165,15 +165,10 @@ pub(super) fn differential_of_many(item: &Item) -> Option<String> {
         matches!(item.layout, Layout::Number(_))
             || ["n", "N", "d", "D", "k"].iter().any(|c| item.layout == Layout::Letter(c.chars().next().unwrap_or(' ')))
     };
-    // `\frac{d^{n-1}y}{dt^{n-1}}`
-    let is_shifted = |letters: &[Item]| {
-        matches!(letters, [Item { layout: Layout::Letter('n' | 'N' | 'm' | 'k'), .. },
-            Item { layout: Layout::Other('-' | '+'), .. }, Item { layout: Layout::Number(_), .. }])
-    };
     let letters = contents(sup);
     (differential(nucleus) == Some(1)
         && !letters.is_empty()
-        && (letters.iter().all(is_dimension) || is_shifted(letters))
+        && letters.iter().all(is_dimension)
         && whole_number(sup).is_none())
     .then(|| format!("d^{{{}}}", super::super::layout::latex(letters)))
 }

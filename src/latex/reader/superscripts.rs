@@ -11,9 +11,28 @@ use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout, contents, typed};
+use super::super::lexer::Space;
 use super::super::names;
 use super::items::{is_inverse_transpose, is_minus_one, is_number, is_numeric_item, is_transpose, whole_number};
 use super::state::{Read, Reader};
+
+/// The same items with a space between β and a parenthesis that begins with a fraction, `e^{-\beta\left(\frac{p^2}{2m} + V\right)}`: there
+/// β is one by the temperature, and no function.
+fn with_factor_beta(items: &[Item]) -> Vec<Item> {
+    let is_beta = |item: &Item| item.layout == Layout::Command("\\beta".to_owned());
+    let is_energy = |item: &Item| {
+        matches!(&item.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, inside)
+            if inside.iter().find(|item| !matches!(item.layout, Layout::Space(_))).is_some_and(|first| matches!(first.layout, Layout::Fraction(..))))
+    };
+    let mut found: Vec<Item> = Vec::with_capacity(items.len());
+    for item in items {
+        if found.last().is_some_and(is_beta) && is_energy(item) {
+            found.push(Item { layout: Layout::Space(Space::Thin), span: Span::at(item.span.start) });
+        }
+        found.push(item.clone());
+    }
+    found
+}
 
 /// A term `a/bc` as a fraction.
 fn as_fraction(term: &[Item]) -> Option<Item> {
@@ -55,6 +74,7 @@ impl Reader<'_> {
             Layout::Group(items) | Layout::Fence(_, items) => items,
             _ => return self.item(exponent),
         };
+        let items = &with_factor_beta(items);
         // `e^{-s(0)}`: the place at which an integral ends is put in, or s is a function.
         let is_figure = |item: &Item| matches!(&item.layout, Layout::Fence(Delimiter::Round, inside) if matches!(inside.as_slice(), [only] if is_number(only)));
         let applied = items.windows(2).find(|pair| names::printed(&pair[0], None).is_some() && is_figure(&pair[1]));

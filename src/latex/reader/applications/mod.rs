@@ -36,8 +36,8 @@ use super::state::{Read, Reader};
 pub(super) use inside::are_names;
 use inside::{
     FIELDS, has_nabla, has_rate, is_fractional, is_function, is_product_of_vectors, is_special_function,
-    is_step_function, is_value, is_zero, may_be_an_argument, may_contain_itself, mentions, parenthesis,
-    relation_or_comma,
+    is_step_function, is_value, is_zero, may_be_a_number, may_be_an_argument, may_be_an_index, may_contain_itself,
+    mentions, parenthesis, relation_or_comma,
 };
 
 impl Reader<'_> {
@@ -79,6 +79,7 @@ impl Reader<'_> {
                 Err(_)
                     if self.is_abstract()
                         && (sup.is_none() || sup.is_some_and(is_minus_one) && self.is_transform(id, next))
+                        && !may_be_a_number(&self.symbols.entry(id).name, next)
                         && self.is_applied(id, next) =>
                 {
                     // The brackets are those of the template.
@@ -349,18 +350,12 @@ impl Reader<'_> {
             self.is_no_value(&name.to_string(), span, next)?;
         }
         let span = span.to(fence.span);
-        let is_index_or_unit =
-            ["i", "j"].contains(&name.base.as_str()) && name.subscript.is_empty() && self.bound.contains(&name.base);
         let ambiguous = || {
-            if is_index_or_unit {
-                let what = format!("{name} may be √−1 or the index of this sum");
-                return Err(Fault::ambiguous(span, what)
-                    .help("write \\mathrm{i} for √−1, or another letter for the index of the sum"));
-            }
-            Err(Fault::ambiguous(span, format!("{name}(…) may be a function or a product")).help(
+            let fault = Fault::ambiguous(span, format!("{name}(…) may be a function or a product")).help(
                 "for a product, put a thin space \\, before the parenthesis; \
                  for a function, declare it under \"functions\" in a claims file",
-            ))
+            );
+            Err(may_be_an_index(name, &self.bound, span).unwrap_or(fault))
         };
         // `x(-\cos x)`: nothing is a function of itself. A differential stands in no argument, `p(c\,dt)`.
         let has_itself = inside.iter().any(|item| mentions(item, name)) && name.primes == 0;

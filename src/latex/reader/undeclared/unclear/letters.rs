@@ -15,7 +15,10 @@ const NUMBERS: [&str; 8] = ["St", "Ca", "Sc", "Eu", "Wo", "De", "Ha", "Ri"];
 
 /// The fault of such letters in a display.
 pub(super) fn unclear_letters(items: &[Item]) -> Option<Fault> {
-    number_of_a_flow(items).or_else(|| mach_number(items)).or_else(|| word_between(items)).or_else(|| under_arrow(items))
+    number_of_a_flow(items)
+        .or_else(|| mach_number(items))
+        .or_else(|| word_between(items))
+        .or_else(|| under_arrow(items))
 }
 
 fn name_or_product(word: &str, span: Span) -> Fault {
@@ -109,10 +112,9 @@ fn under_arrow(items: &[Item]) -> Option<Fault> {
         {
             let shown = typed(contents(inner));
             let what = format!("{shown} under an arrow may be one name or a product");
-            return Some(
-                Fault::ambiguous(first.span.to(last.span), what)
-                    .help("write all letters of a subscript in braces, as in \\vec{P}_{kin}; write a factor before the arrow"),
-            );
+            return Some(Fault::ambiguous(first.span.to(last.span), what).help(
+                "write all letters of a subscript in braces, as in \\vec{P}_{kin}; write a factor before the arrow",
+            ));
         }
         parts(item).into_iter().find_map(under_arrow)
     })
