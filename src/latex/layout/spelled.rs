@@ -244,6 +244,7 @@ pub(super) fn with_names(tokens: Vec<Token>) -> Vec<Token> {
         name == "Re" && is_no_real_part(&tokens, at)
             || is_of_a_transfer && TRANSFERS.contains(&name.as_str())
             || is_of_a_flow(&tokens, at, name)
+            || name == "NA" && is_below_a_wavelength(&tokens, at)
             || QUOTIENTS.contains(&name.as_str())
                 && spots.iter().any(|(at, other)| other == name && is_equal_to_a_quotient(&tokens, *at, name))
             || match NUMBERS.contains(&name.as_str()) {
@@ -285,6 +286,16 @@ fn name_at(tokens: &[Token], at: usize) -> Option<String> {
     let length = if is_inside { 0 } else { run(&tokens[at..]) };
     let word: String = tokens[at..at + length].iter().filter_map(letter).collect();
     [&NAMES[..], &NUMBERS, &QUOTIENTS].iter().any(|names| names.contains(&word.as_str())).then_some(word)
+}
+
+/// Whether a run is all of a denominator below a wavelength: `\frac{0.61\lambda}{NA}` has the numerical aperture there.
+fn is_below_a_wavelength(tokens: &[Token], at: usize) -> bool {
+    let is = |place: usize, kind: &TokenKind| tokens.get(place).is_some_and(|token| token.kind == *kind);
+    let is_whole =
+        at > 1 && is(at - 1, &TokenKind::Open) && is(at - 2, &TokenKind::Close) && is(at + 2, &TokenKind::Close);
+    let above = tokens[..at.saturating_sub(2)].iter().rev().take_while(|token| token.kind != TokenKind::Open);
+    let lambda = TokenKind::Command("\\lambda".to_owned());
+    is_whole && above.into_iter().any(|token| token.kind == lambda)
 }
 
 /// Whether a run is a whole left side, and one fraction the right one. The Mach number is a speed by another one, c or a, and the Froude

@@ -272,6 +272,13 @@ impl<'a> Splitter<'a, '_> {
                 .help("write an equation; if the words only explain, put a comma before them"),
             });
         }
+        if remarks::may_be_a_unit(items, at)
+            && let Some(piece) = self.current.as_mut().filter(|piece| piece.links.len() > 1)
+        {
+            let what = "words directly behind a number may be its unit or a remark";
+            let help = "write a unit as \\mathrm{…}, and \\quad before a remark";
+            piece.fault.get_or_insert_with(|| Fault::ambiguous(item.span, what).help(help));
+        }
         self.end();
         // What stands in parentheses after all, or says where a result is from, is no statement.
         if !is_aside(items, at) {
@@ -365,7 +372,7 @@ impl<'a> Splitter<'a, '_> {
         if piece.links.is_empty() {
             piece.links.push(Link { relation: None, sign: None, items: Vec::new() });
         }
-        // `a = \\ = b` repeats the sign at the beginning of the row.
+        // `a = \ = b` repeats the sign at the beginning of the row.
         let is_again = starts_row
             && piece.links.last().is_some_and(|last| {
                 last.relation.is_some_and(|(before, _)| before == found)

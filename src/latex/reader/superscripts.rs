@@ -262,6 +262,12 @@ impl Reader<'_> {
             return Err(unclear(span, sup, "an index, a label or a power")
                 .help("write an index as a subscript; write a power as \\exp(b \\ln a), or declare the letters in a claims file"));
         }
+        // `\varepsilon^p_{3,3}`
+        let is_lone = matches!(marks.as_slice(), [Item { layout: Layout::Letter(_), .. }]);
+        if self.symbols.open && is_lone && has_two_components(self.name_of(base).1) {
+            return Err(unclear(span, sup, "a label or a power")
+                .help("write a label as a subscript, and a power as (x_{3,3})^p"));
+        }
         if self.symbols.open && whole_number(sup) == Some(5) && self.name_of(base).0 == "\\gamma" {
             return Err(Fault::ambiguous(span, "γ⁵ may be a matrix or a power")
                 .help("write \\gamma_5 for the matrix, and (\\gamma)^5 for the power"));
@@ -396,6 +402,12 @@ fn is_unlikely_index(
         )),
         false => Ok(()),
     }
+}
+
+/// Whether a subscript is that of a component, as in `\sigma_{3,3}`.
+pub(super) fn has_two_components(subscript: &[String]) -> bool {
+    let is_number = |token: &String| matches!(token.as_str(), "0" | "1" | "2" | "3" | "4");
+    matches!(subscript, [first, comma, second] if is_number(first) && comma == "," && is_number(second))
 }
 
 /// Whether two places stand side by side, between which something is taken: `V^{Px_1}`, `V^{\infty x_1}`.

@@ -35,9 +35,9 @@ use super::items::{differential, function_head, is_lone, is_minus_one};
 use super::state::{Read, Reader};
 pub(super) use inside::are_names;
 use inside::{
-    FIELDS, has_nabla, has_rate, is_fractional, is_function, is_product_of_vectors, is_special_function,
-    is_step_function, is_value, is_zero, may_be_a_number, may_be_an_argument, may_be_an_index, may_contain_itself,
-    mentions, parenthesis, relation_or_comma,
+    FIELDS, goes_on_with_a_parenthesis, has_nabla, has_rate, is_fractional, is_function, is_product_of_vectors,
+    is_special_function, is_step_function, is_value, is_zero, may_be_a_number, may_be_an_argument, may_be_an_index,
+    may_contain_itself, mentions, parenthesis, relation_or_comma,
 };
 
 impl Reader<'_> {
@@ -80,6 +80,7 @@ impl Reader<'_> {
                     if self.is_abstract()
                         && (sup.is_none() || sup.is_some_and(is_minus_one) && self.is_transform(id, next))
                         && !may_be_a_number(&self.symbols.entry(id).name, next)
+                        && !goes_on_with_a_parenthesis(&items[*cursor..])
                         && self.is_applied(id, next) =>
                 {
                     // The brackets are those of the template.

@@ -11,7 +11,7 @@ use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
 use super::super::items::{is_inverse_transpose, is_minus_one, is_transpose, whole_number};
 use super::super::state::{Read, Reader};
-use super::super::superscripts::{is_value, names_two_places};
+use super::super::superscripts::{has_two_components, is_value, names_two_places};
 use super::printed;
 
 impl Reader<'_> {
@@ -66,7 +66,9 @@ impl Reader<'_> {
             let letter = found.name.base.as_str();
             POWERS.contains(&letter) || !has_greek && GREEK.contains(&letter)
         };
-        is_lone_letter(sup) && (!names::printed(sup, None).is_some_and(is_power) || self.is_index(sup))
+        let has_components = has_two_components(self.name_of(base).1);
+        is_lone_letter(sup)
+            && (has_components || !names::printed(sup, None).is_some_and(is_power) || self.is_index(sup))
     }
 
     /// Whether two letters stand below a base, Greek or with a subscript of their own: `\Gamma_{\theta_t\theta_t}`.
