@@ -21,8 +21,8 @@ use crate::formula::symbols::{Inferred, Name, Symbols};
 use crate::formula::text;
 
 use super::arguments::{
-    distribution, fence, has_dagger, is_comma, is_dimension, is_given, is_letter, is_step, is_unit_in_brackets,
-    is_zero, item_has_comma, names_itself, starts_derivative, trimmed,
+    distribution, fence, goes_on_with_a_parenthesis, has_dagger, is_comma, is_dimension, is_given, is_letter, is_step,
+    is_unit_in_brackets, is_zero, item_has_comma, names_itself, starts_derivative, trimmed,
 };
 use super::layout::{Delimiter, Item, Layout, contents};
 use super::names;
@@ -173,7 +173,9 @@ impl Evidence {
                     .is_some_and(|item| relation(item).is_some());
             // `2\pi(a, b)` is a list of components with a factor.
             let is_turn = item.layout == Layout::Command("\\pi".to_owned());
-            if !(is_turn && at > 0 && matches!(items[at - 1].layout, Layout::Number(_))) {
+            if !goes_on_with_a_parenthesis(&items[at + 1..])
+                && !(is_turn && at > 0 && matches!(items[at - 1].layout, Layout::Number(_)))
+            {
                 self.application(item, next, is_side);
             }
             // `(uv)' = u'v + uv'`: the prime of a product is a derivative, and those of its factors too.

@@ -28,16 +28,16 @@ use crate::formula::symbols::{Entry, Kind, Name};
 use crate::formula::tree::Expr;
 use crate::source::{Fault, Span};
 
-use super::super::arguments::has_dagger;
+use super::super::arguments::{goes_on_with_a_parenthesis, has_dagger};
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
 use super::items::{differential, function_head, is_lone, is_minus_one};
 use super::state::{Read, Reader};
 pub(super) use inside::are_names;
 use inside::{
-    FIELDS, goes_on_with_a_parenthesis, has_nabla, has_rate, is_fractional, is_function, is_product_of_vectors,
-    is_special_function, is_step_function, is_value, is_zero, may_be_a_number, may_be_an_argument, may_be_an_index,
-    may_contain_itself, mentions, parenthesis, relation_or_comma,
+    FIELDS, has_nabla, has_rate, is_fractional, is_function, is_product_of_vectors, is_special_function,
+    is_step_function, is_value, is_zero, may_be_a_number, may_be_an_argument, may_be_an_index, may_contain_itself,
+    mentions, parenthesis, relation_or_comma,
 };
 
 impl Reader<'_> {

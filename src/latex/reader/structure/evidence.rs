@@ -425,7 +425,7 @@ impl Found {
             if let Some(found) = names::printed(nucleus, None) {
                 self.transposed.push(found.name);
             }
-            let is_upright = !matches!(contents(sup), [Item { layout: Layout::Letter('T'), .. }]);
+            let is_upright = !matches!(contents(sup), [.., Item { layout: Layout::Letter('T'), .. }]);
             let is_bold = matches!(nucleus.layout, Layout::Style(..) | Layout::Accent(..) | Layout::Fence(..));
             self.transposes += 1 + usize::from(is_upright || is_bold);
         } else {

@@ -10,11 +10,10 @@ use super::super::super::super::names;
 use super::sides::{first_sides, statements};
 
 /// Quantities, and the units in which their values are given.
-const UNITS: [(&str, &[&str]); 13] = [
+const UNITS: [(&str, &[&str]); 12] = [
     ("t \\tau", &["s", "h"]),
     ("x y z h d l L r R s H D \\lambda", &["m"]),
     ("m M", &["g"]),
-    ("F", &["N"]),
     ("E W U K Q", &["J"]),
     ("P", &["W"]),
     ("V U \\mathcal{E}", &["V"]),
@@ -44,7 +43,9 @@ pub(super) fn unclear_unit(items: &[Item]) -> Option<Fault> {
             _ => return None,
         };
         let count = items.iter().map(|item| occurrences(item, letter)).sum::<usize>();
-        (is_its_own && count == 1).then(|| {
+        // `V = 5 V`: nothing is five times itself.
+        let others = usize::from(base == letter.to_string());
+        (is_its_own && count == 1 + others).then(|| {
             Fault::ambiguous(first.span.to(last.span), format!("{shown} may be a unit or a quantity"))
                 .help(format!("write \\mathrm{{{shown}}} for the unit, and \\cdot before a quantity"))
         })

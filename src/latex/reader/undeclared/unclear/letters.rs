@@ -107,7 +107,8 @@ fn under_arrow(items: &[Item]) -> Option<Fault> {
         if let Layout::Accent(accent, inner) = &item.layout
             && accent == "\\vec"
             && let [first, .., last] = contents(inner)
-            && run_of_letters(contents(inner), 0).is_some_and(|(_, _, length)| length == contents(inner).len())
+            && contents(inner).iter().all(is_letter)
+            && contents(inner).windows(2).all(|pair| pair[0].span.end == pair[1].span.start)
             && contents(inner).iter().any(|item| !matches!(item.layout, Layout::Letter('A'..='Z')))
         {
             let shown = typed(contents(inner));
@@ -118,4 +119,13 @@ fn under_arrow(items: &[Item]) -> Option<Fault> {
         }
         parts(item).into_iter().find_map(under_arrow)
     })
+}
+
+/// A letter, with a subscript perhaps.
+fn is_letter(item: &Item) -> bool {
+    match &item.layout {
+        Layout::Letter(_) => true,
+        Layout::Scripts { nucleus, sub: Some(_), sup: None, primes: 0 } => matches!(nucleus.layout, Layout::Letter(_)),
+        _ => false,
+    }
 }
