@@ -10,6 +10,7 @@ fn a_bold_d_is_the_differential_of_an_integral_and_is_refused_before_a_letter_el
         ("F = \\int_a^b \\boldsymbol{d}x\\,f(x)", "F = ∫_{a}^{b}(dx·f(x))"),
         ("\\mathbf{p} = q\\mathbf{d}", "p = q·d"),
         ("\\mathbf{d}\\cdot\\mathbf{E} = a", "d • E = a"),
+        ("W_1\\mathbf{d}_1 x = a", "W_1·d_1·x = a"),
     ]);
     are_refused(&["T\\mathbf{d}S = p\\mathbf{d}V", "\\int_0^1 \\mathbf{d}x\\,dx = a"]);
 }
@@ -113,6 +114,7 @@ fn orders_indices_labels_and_transposes_above_a_letter() {
     are_read(&[
         ("\\frac{d^{n-1}y}{dt^{n-1}} = a", "(d^{n-1} y)/(dt^{n-1}) = a"),
         ("\\tau = J^{-T}F", "τ = J^{-T}·F"),
+        ("I_{11}^{CM} = b", "I_{11}^{CM} = b"),
         ("\\varepsilon^p_{3,3} = a", "ε_{3,3}^{p} = a"),
         ("S = \\ln\\langle x \\rangle_0", "S = ln(⟨x⟩_{0})"),
         ("\\sum_i i(i + 1) = a", "Σ_{i}(i·(i + 1)) = a"),

@@ -134,9 +134,9 @@ fn is_lone_letter(sup: &Item) -> bool {
 
 /// Whether letters above a symbol spell one of the usual labels.
 fn is_word(sup: &Item) -> bool {
-    const WORDS: [&str; 20] = [
-        "ex", "ext", "in", "out", "eff", "tot", "kin", "pot", "int", "rot", "max", "min", "eq", "cl", "rel", "cm",
-        "el", "mag", "vib", "obs",
+    const WORDS: [&str; 23] = [
+        "CM", "abs", "mol", "ex", "ext", "in", "out", "eff", "tot", "kin", "pot", "int", "rot", "max", "min", "eq",
+        "cl", "rel", "cm", "el", "mag", "vib", "obs",
     ];
     // `Q^{EXC}`, `F^{LJ}`: capitals side by side.
     let is_capital = |item: &Item| matches!(item.layout, Layout::Letter('A'..='Z'));

@@ -23,8 +23,11 @@ pub(super) fn unclear_differential(items: &[Item]) -> Option<Fault> {
 fn list<'a>(items: &'a [Item], found: &mut Vec<(&'a Item, bool)>) {
     let solid: Vec<&Item> = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect();
     for (at, item) in solid.iter().enumerate() {
+        // `\mathbf{d}_1 \mathbf{W}`: a differential has no subscript.
+        let has_scripts = matches!(item.layout, Layout::Scripts { .. });
+        let is_before_a_name = || solid.get(at + 1).is_some_and(|next| names::printed(next, None).is_some());
         match is_bold_d(item) {
-            true => found.push((item, solid.get(at + 1).is_some_and(|next| names::printed(next, None).is_some()))),
+            true => found.push((item, !has_scripts && is_before_a_name())),
             false => parts(item).into_iter().for_each(|part| list(part, found)),
         }
     }

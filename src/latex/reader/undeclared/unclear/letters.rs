@@ -80,13 +80,17 @@ fn names_in(item: &Item, found: &mut Vec<String>) {
 
 /// A lone letter between two equations, with wide spaces around it.
 fn word_between(items: &[Item]) -> Option<Fault> {
-    let is_gap = |item: &Item| matches!(item.layout, Layout::Row | Layout::Align | Layout::Space(Space::Wide));
+    let is_gap = |item: &Item| matches!(item.layout, Layout::Row | Layout::Space(Space::Wide));
     let pieces: Vec<Vec<&Item>> = items
         .split(is_gap)
-        .map(|piece| piece.iter().filter(|item| !matches!(item.layout, Layout::Space(_))).collect())
+        .map(|piece| piece.iter().filter(|item| !matches!(item.layout, Layout::Space(_) | Layout::Align)).collect())
         .filter(|piece: &Vec<&Item>| !piece.is_empty())
         .collect();
-    let is_equation = |piece: &[&Item]| piece.iter().any(|item| relation(item).is_some());
+    let is_relation = |item: Option<&&Item>| item.is_some_and(|item| relation(item).is_some());
+    // `a = \quad b` goes on behind the space.
+    let is_equation = |piece: &[&Item]| {
+        piece.iter().any(|item| relation(item).is_some()) && !is_relation(piece.first()) && !is_relation(piece.last())
+    };
     let here = pieces.windows(3).find_map(|three| match three[1].as_slice() {
         [only] if matches!(only.layout, Layout::Letter(_)) && is_equation(&three[0]) && is_equation(&three[2]) => {
             Some(*only)
