@@ -129,3 +129,12 @@ pub(super) fn is_letter(sup: &Item) -> bool {
 pub(super) fn item_has_comma(item: &Item) -> bool {
     matches!(&item.layout, Layout::Fence(_, inside) if inside.iter().any(is_comma))
 }
+
+/// Whether a fraction in parentheses stands first, and further parentheses behind it: `f\left(\frac{L}{D}\right)\left(\frac{v^2}{2g}\right)` has
+/// factors in parentheses, so the first may be one too.
+pub(super) fn goes_on_with_a_parenthesis(items: &[Item]) -> bool {
+    let mut solid = items.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    let is_fraction = |item: &Item| matches!(&item.layout, Layout::Fence(Delimiter::Round, inside) if matches!(inside.as_slice(), [Item { layout: Layout::Fraction(..), .. }]));
+    let is_parenthesis = |item: &Item| matches!(item.layout, Layout::Fence(Delimiter::Round, _));
+    solid.next().is_some_and(is_fraction) && solid.next().is_some_and(is_parenthesis)
+}

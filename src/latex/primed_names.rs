@@ -10,6 +10,8 @@
 //! | an energy that is its unprimed one and more, `U' = U + ma x` | these |
 //! | two of them, beside a sine and a cosine: a rotation | all |
 //! | dots on a name with a prime, `\ddot y'`: the dots are the derivatives | all |
+//! | two fractions whose denominators differ by the prime alone, `\frac1s + \frac1{s'} = \frac1f`, and whose numerators have neither name | all |
+//! | a list in parentheses of names that all have primes, beside the same list without them, `Y(\theta', \phi')`, `Y(\theta, \phi)` | all |
 //! | two of them in one product, which stands without primes too: `I\omega = I'\omega'` | all |
 //! | ℓ, l, ω; a bold letter; under a bar, as the mean of a fluctuation | these |
 //! | L, H and calligraphic letters; λ, ν; a velocity, a momentum or an energy with a number below, at least two | these |
@@ -18,7 +20,7 @@
 
 use crate::formula::symbols::Name;
 
-use super::layout::{Delimiter, Item, Layout};
+use super::layout::{Delimiter, Item, Layout, contents, latex};
 use super::lexer::Space;
 use super::names::{self, Printed};
 use super::rows::relation;
@@ -46,6 +48,8 @@ pub(super) fn letters(items: &[Item]) -> Vec<Name> {
         || found.has_rate
         || is_rotation
         || is_twofold
+        || found.has_conjugate()
+        || found.has_other_place()
     {
         return found.primed.iter().map(unprimed).collect();
     }
@@ -93,6 +97,10 @@ struct Found {
     has_rate: bool,
     /// The names in each term of a statement, with their primes.
     terms: Vec<Vec<Name>>,
+    /// The names in each numerator, and the denominator below it.
+    fractions: Vec<(Vec<Name>, Item)>,
+    /// The names of each list in round parentheses.
+    lists: Vec<Vec<Name>>,
 }
 
 impl Found {
@@ -109,6 +117,32 @@ impl Found {
         self.terms.iter().any(|term| primes(term) > 1)
             && self.primed.iter().all(is_known)
             && !self.terms.iter().any(|term| is_mixed(term))
+    }
+
+    /// Whether two denominators differ by one prime alone: an object and its image. A quotient `y'/y` and one in which the
+    /// numerators have primes may be made of derivatives; only an index of refraction has a prime above its own distance, `n'/s'`.
+    fn has_conjugate(&self) -> bool {
+        let printed = |item: &Item| latex(contents(item));
+        self.fractions.iter().any(|(above, below)| {
+            let names = names_of(&contents(below).iter().collect::<Vec<_>>());
+            let [primed] = names.iter().filter(|name| name.primes > 0).collect::<Vec<_>>()[..] else { return false };
+            let plain = Name { primes: 0, ..primed.clone() };
+            let without = printed(below).replace('\'', "").replace("^{}", "");
+            let is_free = |names: &[Name]| {
+                !names.iter().any(|name| Name { primes: 0, ..name.clone() } == plain)
+                    && names.iter().all(|name| name.primes == 0 || name.base == "n")
+            };
+            !names.contains(&plain)
+                && is_free(above)
+                && self.fractions.iter().any(|(other, twin)| printed(twin) == without && is_free(other))
+        })
+    }
+
+    /// Whether a function is taken at a place and at the same one with primes.
+    fn has_other_place(&self) -> bool {
+        let plain =
+            |list: &[Name]| -> Vec<Name> { list.iter().map(|name| Name { primes: 0, ..name.clone() }).collect() };
+        self.lists.iter().any(|list| list.iter().all(|name| name.primes == 1) && self.lists.contains(&plain(list)))
     }
 
     fn list(&mut self, items: &[Item]) {
@@ -171,7 +205,11 @@ impl Found {
                 && matches!(next, Some(Item { layout: Layout::Fence(Delimiter::Round | Delimiter::Square, inside), .. })
                     if is_sum(inside));
             self.has_frame |= is_vector(&name) && name.primes == 1 && name.subscript.len() == 1;
-            self.has_frame |= name.base == "\\Lambda" && next.is_some_and(|next| names::printed(next, None).is_some());
+            // `\Lambda_0{}^\mu F_{\mu\nu}` has an empty group below its upper index.
+            let is_index_of_it =
+                |next: &Item| matches!(&next.layout, Layout::Scripts { nucleus, .. } if contents(nucleus).is_empty());
+            self.has_frame |= name.base == "\\Lambda"
+                && next.is_some_and(|next| names::printed(next, None).is_some() || is_index_of_it(next));
             self.has_second |= name.primes > 1;
             if name.primes == 1 {
                 self.has_rate |= printed.dots > 0;
@@ -187,19 +225,31 @@ impl Found {
                 self.has_sine |= name == "\\sin" || name == "\\sinh";
                 self.has_cosine |= name == "\\cos" || name == "\\cosh";
             }
-            Layout::Group(items) | Layout::Fence(_, items) => self.list(items),
+            Layout::Group(items) | Layout::Fence(_, items) => {
+                let parts: Vec<&[Item]> = items.split(|item| item.layout == Layout::Other(',')).collect();
+                let name = |part: &[Item]| {
+                    let mut solid = part.iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+                    let only = solid.next().filter(|_| solid.next().is_none())?;
+                    names::printed(only, None).filter(|found| found.sup.is_none()).map(|found| found.name)
+                };
+                let list: Option<Vec<Name>> = parts.iter().map(|part| name(part)).collect();
+                self.lists.extend(list.filter(|list| list.len() > 1));
+                self.list(items);
+            }
             Layout::Fraction(a, b) => {
-                self.list(crate::latex::layout::contents(a));
-                self.list(crate::latex::layout::contents(b));
+                let above = names_of(&contents(a).iter().collect::<Vec<_>>());
+                self.fractions.push((above, (**b).clone()));
+                self.list(contents(a));
+                self.list(contents(b));
             }
             Layout::Accent(bar, a) if bar == "\\overline" || bar == "\\bar" => {
-                let inside = crate::latex::layout::contents(a);
+                let inside = contents(a);
                 self.list(inside);
                 let names = inside.iter().filter_map(|item| names::printed(item, None)).map(|found| found.name);
                 self.averaged.extend(names.filter(|name| name.primes == 1));
             }
             Layout::Root(_, a) | Layout::Accent(_, a) | Layout::Style(_, a) => {
-                self.list(crate::latex::layout::contents(a));
+                self.list(contents(a));
             }
             Layout::Scripts { nucleus, sup, .. } => {
                 if names::printed(item, None).is_none() {
@@ -213,7 +263,7 @@ impl Found {
                     self.has_index |= is_primed && sup.as_deref().is_some_and(is_greek);
                 }
                 if let Some(sup) = sup {
-                    self.list(crate::latex::layout::contents(sup));
+                    self.list(contents(sup));
                 }
             }
             Layout::Environment(_, rows) => rows.iter().flatten().for_each(|cell| self.list(cell)),
@@ -224,7 +274,7 @@ impl Found {
 
 /// μ or ν above a letter.
 fn is_greek(sup: &Item) -> bool {
-    matches!(crate::latex::layout::contents(sup),
+    matches!(contents(sup),
         [Item { layout: Layout::Command(name), .. }] if name == "\\mu" || name == "\\nu")
 }
 

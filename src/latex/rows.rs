@@ -1,6 +1,6 @@
 //! The rows of a display, and the statements that stand side by side in them.
 //!
-//! `\\` separates rows. `&` marks where the relations of all rows stand, and every second `&` begins another column of
+//! `\` separates rows. `&` marks where the relations of all rows stand, and every second `&` begins another column of
 //! equations: `a &= b & c &= d` are two.
 
 use crate::formula::tree::Relation;
@@ -106,8 +106,18 @@ fn whole(items: &[Item]) -> Option<&[Vec<Vec<Item>>]> {
     // `\begin{array}{rcl} a & = & b \end{array}`
     let has_relation = |row: &Vec<Vec<Item>>| row.iter().flatten().any(|item| relation(item).is_some());
     let is_blank = |row: &Vec<Vec<Item>>| row.iter().flatten().all(|item| matches!(item.layout, Layout::Space(_)));
-    let is_array =
-        name == "array" && rows.iter().any(has_relation) && rows.iter().all(|row| has_relation(row) || is_blank(row));
+    let are_statements = || rows.iter().any(has_relation) && rows.iter().all(|row| has_relation(row) || is_blank(row));
+    // `\begin{matrix} a = b \ c = d \end{matrix}` has no brackets, and an equation is no element.
+    let is_column = || name == "matrix" && rows.iter().all(|row| row.len() == 1);
+    // `\begin{cases} \begin{aligned} … \end{aligned} \end{cases}`: the brace around rows.
+    if name == "cases" && rows.len() == 1 {
+        let inner = Item::inner_rows(rows);
+        let is_inner = !std::ptr::eq(inner, rows.as_slice());
+        return (is_inner && inner.iter().all(|row| has_relation(row) || is_blank(row)))
+            .then_some(inner)
+            .or_else(|| is_system(name, rows).then_some(rows.as_slice()));
+    }
+    let is_array = (name == "array" || is_column()) && are_statements();
     (has_rows || is_array || is_system(name, rows)).then_some(rows.as_slice())
 }
 
@@ -123,7 +133,7 @@ fn cells_of(row: &[Item]) -> Vec<Vec<&Item>> {
 /// The rows of a row that ends with rows of its own.
 fn flattened(row: &[Item]) -> Vec<Vec<Vec<&Item>>> {
     let is_blank = |item: &Item| matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ','));
-    // A system before further statements: `\begin{cases} x = 1 \\ y = 2 \end{cases} \quad z = 3`.
+    // A system before further statements: `\begin{cases} x = 1 \ y = 2 \end{cases} \quad z = 3`.
     if let Some(at) = row.iter().position(|item| !is_blank(item))
         && let Layout::Environment(name, inner) = &row[at].layout
         && is_system(name, inner)
@@ -138,7 +148,7 @@ fn flattened(row: &[Item]) -> Vec<Vec<Vec<&Item>>> {
     let Some((Item { layout: Layout::Environment(name, inner), .. }, before)) = row[..end].split_last() else {
         return vec![cells_of(row)];
     };
-    // A system after a word or an arrow: `\text{(a)} \rightarrow \begin{cases} x = 1 \\ y = 2 \end{cases}`.
+    // A system after a word or an arrow: `\text{(a)} \rightarrow \begin{cases} x = 1 \ y = 2 \end{cases}`.
     let is_arrow = |item: &Item| {
         matches!(&item.layout, Layout::Command(name)
             if ["\\Rightarrow", "\\rightarrow", "\\Leftrightarrow", "\\therefore"].contains(&name.as_str()))

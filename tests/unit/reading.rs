@@ -23,6 +23,8 @@ mod introductions;
 mod lecture;
 #[path = "reading/misreadings.rs"]
 mod misreadings;
+#[path = "reading/near_products.rs"]
+mod near_products;
 #[path = "reading/notes.rs"]
 mod notes;
 #[path = "reading/operators.rs"]

@@ -21,8 +21,8 @@ use crate::formula::symbols::{Inferred, Name, Symbols};
 use crate::formula::text;
 
 use super::arguments::{
-    distribution, fence, has_dagger, is_comma, is_dimension, is_given, is_letter, is_step, is_unit_in_brackets,
-    is_zero, item_has_comma, names_itself, starts_derivative, trimmed,
+    distribution, fence, goes_on_with_a_parenthesis, has_dagger, is_comma, is_dimension, is_given, is_letter, is_step,
+    is_unit_in_brackets, is_zero, item_has_comma, names_itself, starts_derivative, trimmed,
 };
 use super::layout::{Delimiter, Item, Layout, contents};
 use super::names;
@@ -173,7 +173,9 @@ impl Evidence {
                     .is_some_and(|item| relation(item).is_some());
             // `2\pi(a, b)` is a list of components with a factor.
             let is_turn = item.layout == Layout::Command("\\pi".to_owned());
-            if !(is_turn && at > 0 && matches!(items[at - 1].layout, Layout::Number(_))) {
+            if !goes_on_with_a_parenthesis(&items[at + 1..])
+                && !(is_turn && at > 0 && matches!(items[at - 1].layout, Layout::Number(_)))
+            {
                 self.application(item, next, is_side);
             }
             // `(uv)' = u'v + uv'`: the prime of a product is a derivative, and those of its factors too.
@@ -350,8 +352,9 @@ impl Evidence {
         let plain: Option<Vec<String>> = arguments.iter().map(|argument| self.plain(argument)).collect();
         // Numbers are put in for letters too, `y = k(0) + c`; after these letters a 0 is no instant and no place.
         let is_constant = ["k", "c", "b", "l"].contains(&name.base.as_str()) && delimiter == Delimiter::Round;
-        let is_zero =
-            matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [zero] if is_zero(zero) && !is_constant));
+        let is_zero = matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [zero] if is_zero(zero) && !is_constant))
+            // `c(\infty)`: infinity is no factor.
+            || matches!(arguments.as_slice(), [only] if matches!(trimmed(only), [Item { layout: Layout::Command(sign), .. }] if sign == "\\infty"));
         let indexed = match arguments.as_slice() {
             [only] if self.is_abstract => match trimmed(only) {
                 [name] => names::printed(name, None)

@@ -143,7 +143,7 @@ pub(super) fn letters(item: &Item) -> String {
 
 impl Item {
     /// The rows of the one environment that is all there is in other rows; else those rows.
-    pub(super) fn inner_rows(rows: &[Vec<Vec<Item>>]) -> &[Vec<Vec<Item>>] {
+    pub(in super::super) fn inner_rows(rows: &[Vec<Vec<Item>>]) -> &[Vec<Vec<Item>>] {
         let is_space = |item: &&Item| !matches!(item.layout, Layout::Space(_));
         let [row] = rows else { return rows };
         let [cell] = row.as_slice() else { return rows };

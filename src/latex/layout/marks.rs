@@ -1,7 +1,7 @@
 //! Marks that authors set in several ways: the d and ∂ of a derivative in bold or as a word, `\mathbf{\partial B}`, `\text{d}`; bold signs of products;
 //! `\_` for a subscript; two bars of a bra and a ket; the bar of a place; the bars of a norm, `||x||`; the sign at the end of a proof.
 
-use super::super::lexer::{Token, TokenKind};
+use super::super::lexer::{Space, Token, TokenKind};
 
 /// The same tokens, where each of these marks has its usual form.
 pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
@@ -31,6 +31,30 @@ pub(super) fn with_plain_marks(tokens: Vec<Token>) -> Vec<Token> {
             // The style belongs to what is differentiated: `\partial\mathbf{B}`.
             found.extend([tokens[at + 2].clone(), token.clone(), tokens[at + 1].clone()]);
             found.extend_from_slice(&tokens[at + 3..at + length]);
+            at += length;
+            continue;
+        }
+        if let Some(length) = bold_d_of_an_integral(&tokens[..at], &tokens[at..]) {
+            let command = TokenKind::Command("\\mathrm".to_owned());
+            found.push(Token { kind: command, span });
+            found.extend_from_slice(&tokens[at + 1..at + length]);
+            at += length;
+            continue;
+        }
+        // `5000\,\AA`: the unit of a length.
+        if is(Some(token), "\\AA") && !braces.contains(&true) {
+            let text = TokenKind::Command("\\text".to_owned());
+            let kinds = [text, TokenKind::Open, token.kind.clone(), TokenKind::Close];
+            found.extend(kinds.map(|kind| Token { kind, span }));
+            at += 1;
+            continue;
+        }
+        if let Some(length) = operator_in_text(&tokens[at..]) {
+            found.push(Token { kind: TokenKind::Command("\\mathrm".to_owned()), span });
+            found.push(tokens[at + 1].clone());
+            found.extend(
+                tokens[at + 2..at + length].iter().filter(|token| !matches!(token.kind, TokenKind::Space(_))).cloned(),
+            );
             at += length;
             continue;
         }
@@ -176,6 +200,67 @@ fn differential_in_bold(tokens: &[Token]) -> Option<usize> {
     };
     let is_flat = rest[..close].iter().all(|token| token.kind != TokenKind::Open);
     (is_one && is_flat && rest.first().is_some_and(is_name)).then_some(close + 4)
+}
+
+/// The number of tokens of a bold d before a letter, `\int P\,\mathbf{d}V`, behind an integral that has no differential before it: an
+/// integral needs one.
+fn bold_d_of_an_integral(before: &[Token], tokens: &[Token]) -> Option<usize> {
+    let is_d = |token: Option<&Token>| token.is_some_and(|token| token.kind == TokenKind::Letter('d'));
+    let is_bold = ["\\mathbf", "\\boldsymbol", "\\bm"].iter().any(|name| is(tokens.first(), name));
+    let length = match tokens.get(1).map(|token| &token.kind) {
+        Some(TokenKind::Open) if is_d(tokens.get(2)) && tokens.get(3)?.kind == TokenKind::Close => 4,
+        Some(TokenKind::Letter('d')) => 2,
+        _ => return None,
+    };
+    let is_letter = |token: &Token| match &token.kind {
+        TokenKind::Letter(_) => true,
+        TokenKind::Command(name) => !["\\cdot", "\\times", "\\right", "\\frac", "\\end"].contains(&name.as_str()),
+        _ => false,
+    };
+    let sign = before.iter().rposition(|token| {
+        matches!(&token.kind, TokenKind::Command(name) if name.ends_with("int") && name.len() < "\\iiiint".len())
+    })?;
+    let ends = |token: &Token| {
+        matches!(token.kind, TokenKind::Other('=' | '<' | '>') | TokenKind::Row | TokenKind::Align)
+            || is(Some(token), "\\quad")
+    };
+    let between = &before[sign + 1..];
+    let after = tokens.get(length..)?;
+    let after = &after[..after.iter().position(ends).unwrap_or(after.len())];
+    let has_other = |tokens: &[Token]| {
+        tokens.windows(2).any(|pair| is_d(pair.first()) && is_letter(&pair[1]))
+            || tokens.windows(3).any(|three| is(three.first(), "\\mathrm") && is_d(three.get(2)))
+    };
+    let is_first = !between.iter().any(ends) && !has_other(between) && !has_other(after);
+    (is_bold && is_first && after.first().is_some_and(is_letter)).then_some(length)
+}
+
+/// The number of tokens of an operator in `\text{…}`, `\text{Tr}\,A`, before a formula: it is the operator that others write upright.
+fn operator_in_text(tokens: &[Token]) -> Option<usize> {
+    const OPERATORS: [&str; 9] = ["Tr", "tr", "det", "rank", "Re", "Im", "grad", "div", "rot"];
+    if !is(tokens.first(), "\\text") || tokens.get(1)?.kind != TokenKind::Open {
+        return None;
+    }
+    let close = 2 + tokens[2..].iter().position(|token| token.kind == TokenKind::Close)?;
+    let letter = |token: &Token| match token.kind {
+        TokenKind::Letter(letter) => Some(Some(letter)),
+        TokenKind::Space(_) => Some(None),
+        _ => None,
+    };
+    let letters: Option<Vec<Option<char>>> = tokens[2..close].iter().map(letter).collect();
+    let word: String = letters?.into_iter().flatten().collect();
+    let next = tokens[close + 1..].iter().find(|token| token.kind != TokenKind::Space(Space::Thin))?;
+    // `\text{Re}\,\text{Pr}` is a product of numbers, and `\text{Re} \approx 2300` no operator.
+    const OTHERS: [&str; 22] = [
+        "\\text", "\\mathrm", "\\sqrt", "\\frac", "\\left", "\\right", "\\cdot", "\\times", "\\approx", "\\sim",
+        "\\simeq", "\\leq", "\\geq", "\\ll", "\\gg", "\\equiv", "\\propto", "\\to", "\\end", "\\le", "\\ge", "\\in",
+    ];
+    let is_formula = match &next.kind {
+        TokenKind::Letter(_) => true,
+        TokenKind::Command(name) => !OTHERS.contains(&name.as_str()),
+        _ => false,
+    };
+    (is_formula && OPERATORS.contains(&word.as_str())).then_some(close + 1)
 }
 
 /// The kinds of the tokens for `\text{d}` alone in a numerator, `\mathrm{\delta}` and the like, which are four tokens.

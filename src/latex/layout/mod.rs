@@ -53,6 +53,6 @@ pub use parser::layout;
 #[cfg(feature = "notes")]
 pub(crate) use print::{latex, typed};
 #[cfg(feature = "notes")]
-pub(crate) use spelled::is_name_of_letters;
+pub(crate) use spelled::{is_name_of_letters, is_number_of_a_flow};
 #[cfg(feature = "notes")]
 pub(crate) use text::{prints_derivative, typeset_items};

@@ -209,9 +209,22 @@ const NAMES: [&str; 56] = [
     "ENBW", "DOF", "ITAE", "IAE", "ISE", "MAE", "OPD", "IMA", "NPSH",
 ];
 
+/// Numbers without a unit, which are names where one of them is a whole left side and a quotient is the right one:
+/// `Pr = \frac{\nu}{\alpha}`.
+const QUOTIENTS: [&str; 16] =
+    ["Ma", "St", "Ca", "Sc", "Eu", "Pr", "Pe", "Sh", "Bi", "Fr", "We", "Gr", "Ra", "Kn", "Bo", "Wo"];
+
+/// Numbers of flows that depend on one another.
+const TRANSFERS: [&str; 9] = ["Re", "Nu", "Sh", "Sc", "Pr", "Pe", "Gr", "Ra", "Bi"];
+
 /// Whether letters are such a name.
 pub fn is_name_of_letters(word: &str) -> bool {
     NAMES.contains(&word)
+}
+
+/// Whether upright letters are a number of a flow, `\mathrm{Ma}^2`.
+pub fn is_number_of_a_flow(word: &str) -> bool {
+    QUOTIENTS.contains(&word) || TRANSFERS.contains(&word)
 }
 
 /// Numbers without a unit, which are names where one of them is a whole left side: `Re = \rho v D/\mu`.
@@ -222,10 +235,20 @@ pub(super) fn with_names(tokens: Vec<Token>) -> Vec<Token> {
     let spots: Vec<(usize, String)> = (0..tokens.len()).filter_map(|at| Some((at, name_at(&tokens, at)?))).collect();
     let has_number =
         spots.iter().any(|(at, name)| NUMBERS.contains(&name.as_str()) && is_left_side(&tokens, *at, name.len()));
+    // `Nu = 0.023\,Re^{0.8} Pr^{0.4}`: beside a number of a flow the others are numbers too.
+    let is_of_a_transfer = spots.iter().any(|(at, name)| {
+        ["Nu", "Sh", "Re"].contains(&name.as_str())
+            && (is_left_side(&tokens, *at, name.len()) || is_equal_to_a_quotient(&tokens, *at, name))
+    });
     let is_sure = |at: usize, name: &String| {
         name == "Re" && is_no_real_part(&tokens, at)
+            || is_of_a_transfer && TRANSFERS.contains(&name.as_str())
             || is_of_a_flow(&tokens, at, name)
+            || name == "NA" && is_below_a_wavelength(&tokens, at)
+            || QUOTIENTS.contains(&name.as_str())
+                && spots.iter().any(|(at, other)| other == name && is_equal_to_a_quotient(&tokens, *at, name))
             || match NUMBERS.contains(&name.as_str()) {
+                _ if QUOTIENTS.contains(&name.as_str()) => false,
                 true => has_number,
                 false => spots.iter().any(|(at, other)| other == name && is_term(&tokens, *at, name.len())),
             }
@@ -252,12 +275,78 @@ fn name_at(tokens: &[Token], at: usize) -> Option<String> {
             TokenKind::Close => true,
             _ => false,
         }),
-        TokenKind::Sub | TokenKind::Super | TokenKind::Command(_) => true,
+        // What stands beside a relation or the sign of a product is no argument.
+        TokenKind::Command(ref name) => {
+            !["\\propto", "\\approx", "\\sim", "\\cdot", "\\times", "\\quad", "\\qquad", "\\leq", "\\geq"]
+                .contains(&name.as_str())
+        }
+        TokenKind::Sub | TokenKind::Super => true,
         _ => false,
     });
     let length = if is_inside { 0 } else { run(&tokens[at..]) };
     let word: String = tokens[at..at + length].iter().filter_map(letter).collect();
-    (NAMES.contains(&word.as_str()) || NUMBERS.contains(&word.as_str())).then_some(word)
+    [&NAMES[..], &NUMBERS, &QUOTIENTS].iter().any(|names| names.contains(&word.as_str())).then_some(word)
+}
+
+/// Whether a run is all of a denominator below a wavelength: `\frac{0.61\lambda}{NA}` has the numerical aperture there.
+fn is_below_a_wavelength(tokens: &[Token], at: usize) -> bool {
+    let is = |place: usize, kind: &TokenKind| tokens.get(place).is_some_and(|token| token.kind == *kind);
+    let is_whole =
+        at > 1 && is(at - 1, &TokenKind::Open) && is(at - 2, &TokenKind::Close) && is(at + 2, &TokenKind::Close);
+    let above = tokens[..at.saturating_sub(2)].iter().rev().take_while(|token| token.kind != TokenKind::Open);
+    let lambda = TokenKind::Command("\\lambda".to_owned());
+    is_whole && above.into_iter().any(|token| token.kind == lambda)
+}
+
+/// Whether a run is a whole left side, and one fraction the right one. The Mach number is a speed by another one, c or a, and the Froude
+/// number has a root or g below: `Ma = \frac{dp}{dt}` and `Fr = \frac{L}{t}` are products.
+fn is_equal_to_a_quotient(tokens: &[Token], at: usize, name: &str) -> bool {
+    let begins =
+        tokens[..at].iter().rev().find(|token| token.kind != TokenKind::Space(Space::Thin)).is_none_or(|before| {
+            matches!(before.kind, TokenKind::Row | TokenKind::Align | TokenKind::Space(_) | TokenKind::Other(',' | ';'))
+        });
+    let mut rest = tokens[at + name.len()..]
+        .iter()
+        .enumerate()
+        .filter(|(_, token)| !matches!(token.kind, TokenKind::Space(Space::Thin) | TokenKind::Align))
+        .map(|(place, _)| at + name.len() + place);
+    let is_equal = rest.next().is_some_and(|place| tokens[place].kind == TokenKind::Other('='));
+    let Some(start) = rest.next().filter(|_| begins && is_equal) else { return false };
+    let is_fraction = matches!(&tokens[start].kind, TokenKind::Command(name)
+        if ["\\frac", "\\dfrac", "\\tfrac"].contains(&name.as_str()));
+    // `Ma = v/c`
+    let slash = [start, start + 1, start + 2].map(|place| tokens.get(place).map(|token| &token.kind));
+    if let [Some(TokenKind::Letter(_)), Some(TokenKind::Other('/')), Some(TokenKind::Letter(below))] = slash {
+        return name == "Ma" && "ca".contains(*below);
+    }
+    if !is_fraction {
+        return false;
+    }
+    let below = start + 1 + script(&tokens[start + 1..]);
+    let end = (below + script(tokens.get(below..).unwrap_or_default())).min(tokens.len());
+    let inside = |from: usize, to: usize| tokens[from..to].iter().filter(|token| token.kind != TokenKind::Open);
+    let is_differential = inside(start + 1, below.min(tokens.len())).next().is_some_and(|first| {
+        first.kind == TokenKind::Letter('d')
+            || matches!(&first.kind, TokenKind::Command(name) if name == "\\partial" || name == "\\mathrm")
+    });
+    let ends = tokens[end..].iter().find(|token| token.kind != TokenKind::Space(Space::Thin)).is_none_or(|next| {
+        matches!(next.kind, TokenKind::Other('=' | '.' | ',' | ';') | TokenKind::Row | TokenKind::Align | TokenKind::Space(_))
+            || matches!(&next.kind, TokenKind::Command(name) if ["\\end", "\\approx", "\\sim", "\\equiv", "\\propto"].contains(&name.as_str()))
+    });
+    let has = |command: &str| {
+        inside(below.min(end), end).any(|token| matches!(&token.kind, TokenKind::Command(name) if name == command))
+    };
+    let fits = match name {
+        "Ma" => {
+            let first = inside(below.min(end), end).next();
+            first.is_some_and(|first| matches!(first.kind, TokenKind::Letter('c' | 'a')))
+                || has("\\sqrt")
+                || has("\\text")
+        }
+        "Fr" => has("\\sqrt") || inside(below.min(end), end).any(|token| token.kind == TokenKind::Letter('g')),
+        _ => true,
+    };
+    !is_differential && ends && fits
 }
 
 /// Whether a number of a flow has the length or the place below it for which it holds: `Re_D`, `Nu_L`, `Re_x`.
@@ -265,9 +354,16 @@ fn is_of_a_flow(tokens: &[Token], at: usize, name: &str) -> bool {
     let [sub, below, ..] = &tokens[at + name.len()..] else { return false };
     let length = |token: &Token| letter(token).is_some_and(|c| "DLdhHx".contains(c));
     let is_braced = || tokens.get(at + name.len() + 2).is_some_and(length);
+    // `Re_m = Re_p`, `Re_{crit}`: R does not multiply a charge there; `R e_r` has a direction below.
+    let is_label = || {
+        let letters = tokens.get(at + name.len() + 2..).map_or(0, run);
+        letter(below).is_some_and(|c| "mpc".contains(c)) || below.kind == TokenKind::Open && letters > 1
+    };
     NUMBERS[..2].contains(&name)
         && sub.kind == TokenKind::Sub
-        && (length(below) || below.kind == TokenKind::Open && is_braced())
+        && (length(below)
+            || below.kind == TokenKind::Open && is_braced()
+            || is_label() && is_term(tokens, at, name.len()))
 }
 
 /// Whether what follows "Re" is no complex number of which it is the real part. Nobody multiplies R by Euler's number.

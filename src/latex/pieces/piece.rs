@@ -55,6 +55,13 @@ impl Piece<'_> {
         self.links.iter().flat_map(|link| &link.items).any(|item| states(item))
     }
 
+    /// Whether words in parentheses or in `\text{…}` are all there is.
+    pub(super) fn is_a_remark(&self) -> bool {
+        let [Link { relation: None, items, .. }] = self.links.as_slice() else { return false };
+        let mut solid = items.iter().filter(is_significant);
+        solid.next().is_some_and(|first| matches!(first.layout, Layout::Text(_))) && solid.next().is_none()
+    }
+
     /// Whether `\min_x` or the like is all there is, so that what follows belongs to it: `\min_x \quad f(x)`.
     pub(super) fn is_an_extremum(&self) -> bool {
         let [Link { relation: None, items, .. }] = self.links.as_slice() else { return false };

@@ -89,6 +89,30 @@ pub(super) fn is_remark(items: &[&Item], at: usize) -> bool {
         && !beside(items.iter().skip(at + 1))
 }
 
+/// Whether words directly behind a number may be its unit, `14.0 \text{ billion years}`, and no remark.
+pub(super) fn may_be_a_unit(items: &[&Item], at: usize) -> bool {
+    // Spaces are left out of a text.
+    const REMARKS: [&str; 12] = [
+        "over",
+        "because",
+        "since",
+        "which",
+        "asexpected",
+        "asrequired",
+        "assuming",
+        "(",
+        "as",
+        "regardless",
+        "exactly",
+        "approximately",
+    ];
+    let Layout::Text(word) = &items[at].layout else { return false };
+    let is_beside = at > 0 && items[at - 1].layout != Layout::Space(Space::Wide);
+    let is_after_number = items[..at].iter().rev().find(is_significant).is_some_and(|item| is_figure(item));
+    let is_phrase = REMARKS.iter().any(|first| word.starts_with(first)) || is_aside(items, at);
+    is_beside && is_after_number && !is_phrase && word.starts_with(|c: char| c.is_alphabetic())
+}
+
 /// The number of items at the beginning of a row that name it: `\text{Mass:}`, `\text{Momentum-}x\text{:}`, `\text{Energy} \quad`.
 ///
 /// Words that say that the row is assumed, or does not hold, are no name.

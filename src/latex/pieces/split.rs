@@ -149,7 +149,9 @@ impl<'a> Splitter<'a, '_> {
         let (items, at) = (self.items, self.at);
         let is_apart = at > 0 && items[at - 1].layout == Layout::Space(Space::Wide);
         let is_number = self.is_abstract && is_apart && ends_the_row(items, at) && is_equation_number(items[at]);
-        let states = self.current.as_ref().or(self.pieces.last()).is_some_and(|piece| piece.links.len() > 1);
+        // `W = mg \quad \text{(N)} \quad (1-2)`: a remark may stand before the number.
+        let before = self.pieces.iter().rev().find(|piece| !piece.is_a_remark());
+        let states = self.current.as_ref().or(before).is_some_and(|piece| piece.links.len() > 1);
         if !is_number || !states {
             return false;
         }
@@ -270,6 +272,13 @@ impl<'a> Splitter<'a, '_> {
                 .help("write an equation; if the words only explain, put a comma before them"),
             });
         }
+        if remarks::may_be_a_unit(items, at)
+            && let Some(piece) = self.current.as_mut().filter(|piece| piece.links.len() > 1)
+        {
+            let what = "words directly behind a number may be its unit or a remark";
+            let help = "write a unit as \\mathrm{…}, and \\quad before a remark";
+            piece.fault.get_or_insert_with(|| Fault::ambiguous(item.span, what).help(help));
+        }
         self.end();
         // What stands in parentheses after all, or says where a result is from, is no statement.
         if !is_aside(items, at) {
@@ -363,7 +372,7 @@ impl<'a> Splitter<'a, '_> {
         if piece.links.is_empty() {
             piece.links.push(Link { relation: None, sign: None, items: Vec::new() });
         }
-        // `a = \\ = b` repeats the sign at the beginning of the row.
+        // `a = \ = b` repeats the sign at the beginning of the row.
         let is_again = starts_row
             && piece.links.last().is_some_and(|last| {
                 last.relation.is_some_and(|(before, _)| before == found)

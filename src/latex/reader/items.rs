@@ -61,6 +61,13 @@ pub(in super::super) fn is_transpose(item: &Item) -> bool {
     }
 }
 
+/// `-T` or `-\top`, as the mark of the inverse of a transpose.
+pub(in super::super) fn is_inverse_transpose(item: &Item) -> bool {
+    let mut solid = contents(item).iter().filter(|item| !matches!(item.layout, Layout::Space(_)));
+    let is_minus = solid.next().is_some_and(|first| first.layout == Layout::Other('-'));
+    is_minus && solid.next().is_some_and(is_transpose) && solid.next().is_none()
+}
+
 /// Whether a group holds numbers only.
 pub(super) fn is_numeric(item: &Item) -> bool {
     contents(item).iter().all(|item| match &item.layout {

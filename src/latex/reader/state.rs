@@ -76,6 +76,10 @@ pub(super) fn unknown_command(name: &str, span: Span, has_claims: bool) -> Fault
         }
         _ if is_relation(name) => Fault::unsupported(span, format!("{name} is not supported here"))
             .help("write a relation outside of all braces, parentheses and commands"),
+        "\\angle" | "\\measuredangle" => Fault::unsupported(span, "an angle between three points is not supported")
+            .help("give the angle a letter, such as \\theta"),
+        "\\bmod" | "\\pmod" | "\\mod" => Fault::unsupported(span, "the remainder of a division is not supported here")
+            .help("write a = b + k n, with a whole number k"),
         "\\times" | "\\cdot" => Fault::unsupported(span, format!("{name} cannot have a subscript or superscript"))
             .help("remove it, or write the product as a function of its two factors"),
         "\\AsciiMath" => Fault::unsupported(span, "this is AsciiMath, which is not read").help(

@@ -11,9 +11,28 @@ use crate::formula::tree::{Expr, Node};
 use crate::source::{Fault, Span};
 
 use super::super::layout::{Delimiter, Item, Layout, contents, typed};
+use super::super::lexer::Space;
 use super::super::names;
-use super::items::{is_minus_one, is_number, is_numeric_item, is_transpose, whole_number};
+use super::items::{is_inverse_transpose, is_minus_one, is_number, is_numeric_item, is_transpose, whole_number};
 use super::state::{Read, Reader};
+
+/// The same items with a space between β and a parenthesis that begins with a fraction, `e^{-\beta\left(\frac{p^2}{2m} + V\right)}`: there
+/// β is one by the temperature, and no function.
+fn with_factor_beta(items: &[Item]) -> Vec<Item> {
+    let is_beta = |item: &Item| item.layout == Layout::Command("\\beta".to_owned());
+    let is_energy = |item: &Item| {
+        matches!(&item.layout, Layout::Fence(Delimiter::Round | Delimiter::Square, inside)
+            if inside.iter().find(|item| !matches!(item.layout, Layout::Space(_))).is_some_and(|first| matches!(first.layout, Layout::Fraction(..))))
+    };
+    let mut found: Vec<Item> = Vec::with_capacity(items.len());
+    for item in items {
+        if found.last().is_some_and(is_beta) && is_energy(item) {
+            found.push(Item { layout: Layout::Space(Space::Thin), span: Span::at(item.span.start) });
+        }
+        found.push(item.clone());
+    }
+    found
+}
 
 /// A term `a/bc` as a fraction.
 fn as_fraction(term: &[Item]) -> Option<Item> {
@@ -55,6 +74,7 @@ impl Reader<'_> {
             Layout::Group(items) | Layout::Fence(_, items) => items,
             _ => return self.item(exponent),
         };
+        let items = &with_factor_beta(items);
         // `e^{-s(0)}`: the place at which an integral ends is put in, or s is a function.
         let is_figure = |item: &Item| matches!(&item.layout, Layout::Fence(Delimiter::Round, inside) if matches!(inside.as_slice(), [only] if is_number(only)));
         let applied = items.windows(2).find(|pair| names::printed(&pair[0], None).is_some() && is_figure(&pair[1]));
@@ -133,10 +153,7 @@ impl Reader<'_> {
             };
         }
         // `B^{-T}`
-        if let [Item { layout: Layout::Other('-'), .. }, last] = marks.as_slice()
-            && is_transpose(last)
-            && (self.symbols.open || self.symbols.guessed)
-        {
+        if is_inverse_transpose(sup) && (self.symbols.open || self.symbols.guessed) {
             return Err(Fault::ambiguous(span, "this superscript may be the inverse of a transpose, or a power")
                 .help("for a transpose, declare the matrix or write it out"));
         }
@@ -244,6 +261,12 @@ impl Reader<'_> {
         if self.symbols.open && is_symbol && are_indexed && (is_row || is_frame) {
             return Err(unclear(span, sup, "an index, a label or a power")
                 .help("write an index as a subscript; write a power as \\exp(b \\ln a), or declare the letters in a claims file"));
+        }
+        // `\varepsilon^p_{3,3}`
+        let is_lone = matches!(marks.as_slice(), [Item { layout: Layout::Letter(_), .. }]);
+        if self.symbols.open && is_lone && has_two_components(self.name_of(base).1) {
+            return Err(unclear(span, sup, "a label or a power")
+                .help("write a label as a subscript, and a power as (x_{3,3})^p"));
         }
         if self.symbols.open && whole_number(sup) == Some(5) && self.name_of(base).0 == "\\gamma" {
             return Err(Fault::ambiguous(span, "γ⁵ may be a matrix or a power")
@@ -379,6 +402,12 @@ fn is_unlikely_index(
         )),
         false => Ok(()),
     }
+}
+
+/// Whether a subscript is that of a component, as in `\sigma_{3,3}`.
+pub(super) fn has_two_components(subscript: &[String]) -> bool {
+    let is_number = |token: &String| matches!(token.as_str(), "0" | "1" | "2" | "3" | "4");
+    matches!(subscript, [first, comma, second] if is_number(first) && comma == "," && is_number(second))
 }
 
 /// Whether two places stand side by side, between which something is taken: `V^{Px_1}`, `V^{\infty x_1}`.

@@ -8,7 +8,7 @@ use crate::source::{Fault, Span};
 use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names::{self, Printed};
 use super::super::super::rows::relation;
-use super::super::items::{is_minus_one, is_transpose, whole_number};
+use super::super::items::{function_head, is_minus_one, is_transpose, whole_number};
 use super::super::state::{Read, Reader};
 
 impl Reader<'_> {
@@ -31,7 +31,16 @@ impl Reader<'_> {
             return Err(Fault::new(head.span, format!("the matrix after {} is missing", function.name()))
                 .help("write the matrix, or a name that is declared as a matrix"));
         };
-        // `\\det J(t)`
+        // `\operatorname{Tr}\ln D`
+        if matches!(function_head(argument), Ok(Some(_))) {
+            let name = function.name();
+            return Err(Fault::ambiguous(
+                head.span.to(argument.span),
+                format!("the argument of {name} may end with that of the function, or later"),
+            )
+            .help(format!("put the argument of {name} in parentheses")));
+        }
+        // `\det J(t)`
         if matches!(items.get(at + 1).map(|next| &next.layout), Some(Layout::Fence(Delimiter::Round, _)))
             && names::printed(argument, self.branch).is_some()
         {

@@ -2,6 +2,7 @@
 
 use crate::formula::symbols::{Entry, Name};
 use crate::formula::tree::Sign;
+use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
@@ -74,6 +75,25 @@ pub(super) fn mentions(item: &Item, name: &Name) -> bool {
         Layout::Scripts { nucleus, .. } | Layout::Root(_, nucleus) => mentions(nucleus, name),
         _ => false,
     }
+}
+
+/// The fault of i before a parenthesis in a sum over i: `\sum_i a_i e^{i(k x_i - \omega t)}`.
+pub(super) fn may_be_an_index(name: &Name, bound: &[String], span: Span) -> Option<Fault> {
+    let is_unit = ["i", "j"].contains(&name.base.as_str()) && name.subscript.is_empty();
+    (is_unit && bound.contains(&name.base)).then(|| {
+        Fault::ambiguous(span, format!("{name} may be √−1 or the index of this sum"))
+            .help("write \\mathrm{i} for √−1, or another letter for the index of the sum")
+    })
+}
+
+/// Whether a calligraphic letter before brackets with a sum may be a number of particles or another quantity,
+/// `\mathcal{N}[a - \ln\rho]`; a transform is none.
+pub(super) fn may_be_a_number(name: &Name, next: &Item) -> bool {
+    const QUANTITIES: [&str; 6] = ["N", "V", "E", "Z", "P", "R"];
+    let letter = name.base.strip_prefix("\\mathcal{").and_then(|base| base.strip_suffix('}'));
+    let is_sum = |inside: &[Item]| inside.iter().any(|item| matches!(item.layout, Layout::Other('+' | '-')));
+    letter.is_some_and(|letter| QUANTITIES.contains(&letter))
+        && matches!(&next.layout, Layout::Fence(Delimiter::Square | Delimiter::Curly, inside) if is_sum(inside))
 }
 
 pub(super) fn relation_or_comma(item: &Item) -> bool {

@@ -28,7 +28,7 @@ use crate::formula::symbols::{Entry, Kind, Name};
 use crate::formula::tree::Expr;
 use crate::source::{Fault, Span};
 
-use super::super::arguments::has_dagger;
+use super::super::arguments::{goes_on_with_a_parenthesis, has_dagger};
 use super::super::layout::{Delimiter, Item, Layout};
 use super::super::names;
 use super::items::{differential, function_head, is_lone, is_minus_one};
@@ -36,8 +36,8 @@ use super::state::{Read, Reader};
 pub(super) use inside::are_names;
 use inside::{
     FIELDS, has_nabla, has_rate, is_fractional, is_function, is_product_of_vectors, is_special_function,
-    is_step_function, is_value, is_zero, may_be_an_argument, may_contain_itself, mentions, parenthesis,
-    relation_or_comma,
+    is_step_function, is_value, is_zero, may_be_a_number, may_be_an_argument, may_be_an_index, may_contain_itself,
+    mentions, parenthesis, relation_or_comma,
 };
 
 impl Reader<'_> {
@@ -82,6 +82,8 @@ impl Reader<'_> {
                 Err(_)
                     if self.is_abstract()
                         && (sup.is_none() || sup.is_some_and(is_minus_one) && self.is_transform(id, next))
+                        && !may_be_a_number(&self.symbols.entry(id).name, next)
+                        && !goes_on_with_a_parenthesis(&items[*cursor..])
                         && self.is_applied(id, next) =>
                 {
                     // The brackets are those of the template.
@@ -353,10 +355,11 @@ impl Reader<'_> {
         }
         let span = span.to(fence.span);
         let ambiguous = || {
-            Err(Fault::ambiguous(span, format!("{name}(…) may be a function or a product")).help(
+            let fault = Fault::ambiguous(span, format!("{name}(…) may be a function or a product")).help(
                 "for a product, put a thin space \\, before the parenthesis; \
                  for a function, declare it under \"functions\" in a claims file",
-            ))
+            );
+            Err(may_be_an_index(name, &self.bound, span).unwrap_or(fault))
         };
         // `x(-\cos x)`: nothing is a function of itself. A differential stands in no argument, `p(c\,dt)`.
         let has_itself = inside.iter().any(|item| mentions(item, name)) && name.primes == 0;

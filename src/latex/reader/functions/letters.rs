@@ -34,6 +34,10 @@ pub(super) fn is_usual_angle(name: &Name) -> bool {
 /// Whether a name is a vector by its markup: bold, with an arrow, or a unit vector along a direction.
 pub(super) fn is_direction(name: &Name) -> bool {
     const DIRECTIONS: [&str; 12] = ["i", "j", "k", "x", "y", "z", "r", "e", "n", "\\theta", "\\phi", "\\varphi"];
+    // `\hat{\boldsymbol{i}}`
+    if name.base.starts_with("\\hat{\\mathbf{") || name.base.starts_with("\\mathbf{\\hat{") {
+        return true;
+    }
     let hat = name.base.strip_prefix("\\hat{").and_then(|base| base.strip_suffix('}'));
     let is_small = |letter: &str| letter.starts_with(|c: char| c.is_lowercase());
     let bold = name.base.strip_prefix("\\mathbf{").or_else(|| name.base.strip_prefix("\\vec{"));

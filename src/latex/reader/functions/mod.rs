@@ -71,6 +71,13 @@ impl Reader<'_> {
                 let is_exponent = function == Function::Exp;
                 (if is_exponent { self.exponent_of_e(first)? } else { self.item(first)? }, true)
             }
+            // `\ln \langle x \rangle_0`: nobody takes a logarithm in a state, so the place below belongs to the mean value.
+            Layout::Scripts { nucleus, sup: None, primes: 0, .. }
+                if matches!(nucleus.layout, Layout::Fence(Delimiter::Angle, _)) =>
+            {
+                *cursor += 1;
+                (self.item(first)?, true)
+            }
             Layout::Scripts { nucleus, .. } if matches!(nucleus.layout, Layout::Fence(..) | Layout::Group(_)) => {
                 let name = function.name();
                 return Err(Fault::ambiguous(

@@ -6,7 +6,7 @@ use crate::formula::symbols::{Inferred, Name};
 use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::lexer::Space;
 use super::super::super::names;
-use super::super::items::{differential, is_limit, is_transpose, whole_number};
+use super::super::items::{differential, is_inverse_transpose, is_limit, is_transpose, whole_number};
 use super::super::vector_names::is_vectorial;
 
 /// Records it.
@@ -199,7 +199,17 @@ fn is_rate(item: &Item) -> bool {
 /// A letter with a T above it, and no number: `J^T`, `\dot q^T`.
 fn is_transposed(item: &Item) -> bool {
     let Layout::Scripts { nucleus, sup: Some(sup), .. } = &item.layout else { return false };
-    is_transpose(sup) && names::printed(nucleus, None).is_some_and(|found| found.name.base != "e")
+    let is_mark = is_transpose(sup) || is_inverse_transpose(sup) && may_be_a_matrix(nucleus);
+    is_mark && names::printed(nucleus, None).is_some_and(|found| found.name.base != "e")
+}
+
+/// Whether a base is a capital or in bold, as the names of matrices are: `J^{-T}`. A discount `(1 + r)^{-T}` is none.
+fn may_be_a_matrix(nucleus: &Item) -> bool {
+    match &nucleus.layout {
+        Layout::Letter(c) => c.is_ascii_uppercase(),
+        Layout::Style(style, _) => style == "\\mathbf",
+        _ => false,
+    }
 }
 
 /// Whether a hat stands over a letter, in parentheses perhaps.
@@ -411,11 +421,11 @@ impl Found {
         if let Some(above) = letters(sup).filter(|above| above.len() > 1) {
             self.pairs.extend(above);
         }
-        if is_transpose(sup) {
+        if is_transpose(sup) || is_inverse_transpose(sup) && may_be_a_matrix(nucleus) {
             if let Some(found) = names::printed(nucleus, None) {
                 self.transposed.push(found.name);
             }
-            let is_upright = !matches!(contents(sup), [Item { layout: Layout::Letter('T'), .. }]);
+            let is_upright = !matches!(contents(sup), [.., Item { layout: Layout::Letter('T'), .. }]);
             let is_bold = matches!(nucleus.layout, Layout::Style(..) | Layout::Accent(..) | Layout::Fence(..));
             self.transposes += 1 + usize::from(is_upright || is_bold);
         } else {

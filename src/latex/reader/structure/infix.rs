@@ -12,7 +12,7 @@ use super::super::state::{Read, Reader};
 use super::printed;
 
 /// Signs that bind as a product does.
-const PRODUCTS: [&str; 7] = ["\\otimes", "\\circ", "\\ast", "\\star", "\\odot", "\\bullet", "\\rtimes"];
+const PRODUCTS: [&str; 8] = ["\\otimes", "\\circ", "\\ast", "\\star", "\\odot", "\\bullet", "\\rtimes", "\\bmod"];
 
 /// Signs that bind as a sum does.
 const SUMS: [&str; 5] = ["\\oplus", "\\cup", "\\cap", "\\setminus", "\\ominus"];

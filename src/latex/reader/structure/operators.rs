@@ -386,11 +386,24 @@ fn mark(item: &Item) -> Option<String> {
         Layout::Scripts { nucleus, sub: None, sup: Some(sup), primes: 0 } => {
             let order = whole_number(sup).map(|order| order.to_string()).or_else(|| {
                 names::printed(sup, None).filter(|found| found.sup.is_none()).map(|found| found.name.to_string())
-            })?;
+            });
+            let order = order.or_else(|| is_shifted(contents(sup)).then(|| printed(contents(sup))))?;
             mark_alone(nucleus).map(|mark| format!("{mark}^{{{order}}}"))
         }
         _ => mark_alone(item).map(str::to_owned),
     }
+}
+
+/// Whether an order is a letter and a number, `\frac{d^{n-1}y}{dt^{n-1}}`.
+fn is_shifted(order: &[Item]) -> bool {
+    matches!(
+        order,
+        [
+            Item { layout: Layout::Letter(_), .. },
+            Item { layout: Layout::Other('-' | '+'), .. },
+            Item { layout: Layout::Number(_), .. }
+        ]
+    )
 }
 
 fn mark_alone(item: &Item) -> Option<&'static str> {

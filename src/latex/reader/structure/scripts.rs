@@ -9,9 +9,9 @@ use crate::source::{Fault, Span};
 
 use super::super::super::layout::{Delimiter, Item, Layout, contents};
 use super::super::super::names;
-use super::super::items::{is_minus_one, is_transpose, whole_number};
+use super::super::items::{is_inverse_transpose, is_minus_one, is_transpose, whole_number};
 use super::super::state::{Read, Reader};
-use super::super::superscripts::{is_value, names_two_places};
+use super::super::superscripts::{has_two_components, is_value, names_two_places};
 use super::printed;
 
 impl Reader<'_> {
@@ -28,7 +28,7 @@ impl Reader<'_> {
             )
             .help("write a label as a subscript, x_n, and a power without the parentheses"));
         }
-        let is_mark = match is_transpose(sup) {
+        let is_mark = match is_transpose(sup) || is_inverse_transpose(sup) {
             true => has_no_powers || self.symbols.inferred.has_transposes,
             false => {
                 // Nobody writes the powers x⁰ and x¹.
@@ -66,7 +66,9 @@ impl Reader<'_> {
             let letter = found.name.base.as_str();
             POWERS.contains(&letter) || !has_greek && GREEK.contains(&letter)
         };
-        is_lone_letter(sup) && (!names::printed(sup, None).is_some_and(is_power) || self.is_index(sup))
+        let has_components = has_two_components(self.name_of(base).1);
+        is_lone_letter(sup)
+            && (has_components || !names::printed(sup, None).is_some_and(is_power) || self.is_index(sup))
     }
 
     /// Whether two letters stand below a base, Greek or with a subscript of their own: `\Gamma_{\theta_t\theta_t}`.
@@ -132,9 +134,9 @@ fn is_lone_letter(sup: &Item) -> bool {
 
 /// Whether letters above a symbol spell one of the usual labels.
 fn is_word(sup: &Item) -> bool {
-    const WORDS: [&str; 20] = [
-        "ex", "ext", "in", "out", "eff", "tot", "kin", "pot", "int", "rot", "max", "min", "eq", "cl", "rel", "cm",
-        "el", "mag", "vib", "obs",
+    const WORDS: [&str; 23] = [
+        "CM", "abs", "mol", "ex", "ext", "in", "out", "eff", "tot", "kin", "pot", "int", "rot", "max", "min", "eq",
+        "cl", "rel", "cm", "el", "mag", "vib", "obs",
     ];
     // `Q^{EXC}`, `F^{LJ}`: capitals side by side.
     let is_capital = |item: &Item| matches!(item.layout, Layout::Letter('A'..='Z'));

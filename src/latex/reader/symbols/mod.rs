@@ -8,6 +8,7 @@ mod euler;
 pub(super) use euler::is_a_number as e_is_a_number;
 
 use crate::formula::symbols::{Kind, Name, SymbolId};
+use crate::formula::text;
 use crate::formula::tree::{Expr, Index, Node};
 use crate::formula::units::Unit;
 use crate::source::{Fault, Span};
@@ -280,8 +281,15 @@ impl Reader<'_> {
         let is_vectorial = ["\\mathbf{", "\\vec{", "\\hat{"].iter().any(|mark| name.base.contains(mark));
         let has_matrices = self.symbols.inferred.has_transposes || self.symbols.inferred.has_tensors;
         let is_named = self.is_abstract() && (is_vectorial || has_matrices);
-        if !is_named && (name.primes > 1 || other.is_some() && !is_other) {
-            return Err(Fault::ambiguous(span, "a prime may be a derivative or a part of a name").help(
+        // `d^3x'` is the measure of another place.
+        let is_measure = name.base.starts_with("d^{");
+        if !is_named && !is_measure && (name.primes > 1 || other.is_some() && !is_other) {
+            let primed = text::plain(&Name { primes: 1, ..name.clone() }.to_string());
+            return Err(Fault::ambiguous(
+                span,
+                format!("{primed} may be a derivative of {}, or another quantity", text::plain(&twin(0).to_string())),
+            )
+            .help(
                 "write \\dot x or \\frac{dx}{dt} for a derivative by the time; for another symbol use \\tilde x or x_1",
             ));
         }

@@ -130,6 +130,13 @@ impl Reader<'_> {
                 Expr::new(Node::Symbol { id, indices: Vec::new(), dots: printed.dots }, whole)
             }
         };
+        // `\varepsilon^p` beside `\varepsilon(u)`: the plastic part, or a power.
+        let is_alone = next.is_none() && matches!(self.symbols.inferred.functions.get(&printed.name), Some(Some(_)));
+        if let Some(sup) = printed.sup.filter(|sup| is_alone && is_label(sup)) {
+            let letter = super::super::structure::printed(crate::latex::layout::contents(sup));
+            return Err(Fault::ambiguous(span, format!("{letter} above a function may be a label or a power"))
+                .help("write a label as a subscript; write a power behind the argument, f(x)^p"));
+        }
         let power = printed.sup.filter(|_| mark.is_none());
         for sup in [power, above].into_iter().flatten() {
             value = self.raised(value, sup, whole)?;
@@ -149,6 +156,11 @@ impl Reader<'_> {
             |item: &Item| names::printed(item, None).is_some_and(|found| !found.name.subscript.is_empty());
         starts_with_number && is_sum && inside.iter().any(has_subscript) && !text.contains(argument.as_str())
     }
+}
+
+/// Whether a letter that stands above is a usual label: elastic, plastic, trial, solid, fluid.
+fn is_label(sup: &Item) -> bool {
+    matches!(crate::latex::layout::contents(sup), [Item { layout: Layout::Letter('e' | 'p' | 't' | 's' | 'f'), .. }])
 }
 
 /// Whether a name is that of a probability.

@@ -495,5 +495,6 @@ fn is_word_with_power(item: &Item) -> bool {
     is_short
         && !FUNCTIONS.contains(&word.as_str())
         && !UNITS.contains(&word.as_str())
+        && !super::super::super::layout::is_number_of_a_flow(&word)
         && matches!(contents(sup), [Item { layout: Layout::Number(_), .. }])
 }
