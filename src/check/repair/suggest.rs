@@ -369,7 +369,7 @@ fn passing_edits(checker: &Checker<'_>, wrong: &FailedDisplay<'_>, edits: &[Edit
                         says_something && !whole.has_vanishing_rate(reading)
                     };
                     let Answer::Passes(reading, parts) = trial.judge_where(&text, is_meant)? else { return Ok(false) };
-                    let (edit, verdict, vacuous) = (edit.clone(), worst(&parts), vacuous.get());
+                    let (edit, verdict, vacuous) = (edit.clone(), Part::worst(&parts), vacuous.get());
                     passing.push(Suggestion { edit, reading, verdict, step, vacuous });
                     Ok(true)
                 };
@@ -461,14 +461,6 @@ pub(crate) fn agree_memberwise(a: &Reading, b: &Reading, alike: impl Fn(&Expr, &
     };
     let (a, b): (Vec<_>, Vec<_>) = (a.statements.iter().flatten().collect(), b.statements.iter().flatten().collect());
     a.len() == b.len() && a.into_iter().zip(b).all(same)
-}
-
-/// The worst verdict of some parts. A part that gives a name a formula says nothing of the others.
-fn worst(parts: &[Part]) -> Verdict {
-    let all = || parts.iter().map(|part| part.finding.verdict);
-    let worst = |verdicts: &mut dyn Iterator<Item = Verdict>| verdicts.max_by_key(|verdict| verdict.severity());
-    let of_claims = worst(&mut all().filter(|verdict| *verdict != Verdict::Definition));
-    of_claims.or_else(|| worst(&mut all())).unwrap_or(Verdict::Verified)
 }
 
 /// Whether the file has the text that an edit changes, in a display that starts at `offset`. It has not where an erratum

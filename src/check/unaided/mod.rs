@@ -188,10 +188,13 @@ fn judged(run: &Run<'_>, claims: &Claims, notes: &Notes, scope: &scope::Scope) -
     Ok((found, inferred))
 }
 
+/// What infers the claims of notes in which some names have formulas.
+type Infer<'a> = dyn Fn(&[Formula]) -> Result<Claims> + 'a;
+
 /// Judges the displays once more that differentiate or integrate names with printed formulas, with these as definitions.
 fn with_formulas(
     run: &Run<'_>,
-    (claims, infer): (&Claims, &dyn Fn(&[Formula]) -> Result<Claims>),
+    (claims, infer): (&Claims, &Infer<'_>),
     notes: &Notes,
     scope: &scope::Scope,
     found: &mut [Equation],

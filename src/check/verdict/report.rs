@@ -24,6 +24,16 @@ pub struct Part {
     pub ok: bool,
 }
 
+impl Part {
+    /// The worst verdict of some parts. A part that gives a name a formula says nothing of the others.
+    pub(crate) fn worst(parts: &[Part]) -> Verdict {
+        let all = || parts.iter().map(|part| part.finding.verdict);
+        let worst = |verdicts: &mut dyn Iterator<Item = Verdict>| verdicts.max_by_key(|verdict| verdict.severity());
+        let of_claims = worst(&mut all().filter(|verdict| *verdict != Verdict::Definition));
+        of_claims.or_else(|| worst(&mut all())).unwrap_or(Verdict::Verified)
+    }
+}
+
 /// An equation of a document, or a sentence.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]

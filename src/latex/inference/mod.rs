@@ -173,9 +173,8 @@ impl Evidence {
                     .is_some_and(|item| relation(item).is_some());
             // `2\pi(a, b)` is a list of components with a factor.
             let is_turn = item.layout == Layout::Command("\\pi".to_owned());
-            if !goes_on_with_a_parenthesis(&items[at + 1..])
-                && !(is_turn && at > 0 && matches!(items[at - 1].layout, Layout::Number(_)))
-            {
+            let is_multiple = is_turn && at > 0 && matches!(items[at - 1].layout, Layout::Number(_));
+            if !(is_multiple || goes_on_with_a_parenthesis(&items[at + 1..])) {
                 self.application(item, next, is_side);
             }
             // `(uv)' = u'v + uv'`: the prime of a product is a derivative, and those of its factors too.

@@ -90,10 +90,8 @@ impl Course<'_, '_> {
                 || words.connected && self.restates(at));
         let is_identity = self.relates_the_same(at);
         let is_another_case = (words.other_case && !self.is_by_itself(at) || self.is_about_another(at)) && !is_identity;
-        let is_supposed = words.announced.is_supposed()
-            && !is_claimed
-            && !(words.only_nearness && self.approximates(at))
-            && !is_identity;
+        let says_enough = is_claimed || is_identity || words.only_nearness && self.approximates(at);
+        let is_supposed = words.announced.is_supposed() && !says_enough;
         let is_tried = (solves || gate::may_be_a_slip(&checker.readings[at], checker.model, basis, words))
             && !is_another_case
             && !(is_supposed && (words.announced == Announced::Assumption || basis != Basis::Definitions));

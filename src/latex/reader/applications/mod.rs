@@ -466,12 +466,6 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// The name that an item is, without a power, and the number of its dots.
-    fn lone_name(&self, item: &Item) -> Option<(Name, u8)> {
-        let printed = names::printed(item, self.branch).filter(|printed| printed.sup.is_none())?;
-        Some((printed.name, printed.dots))
-    }
-
     fn is_sign(&self, item: &Item) -> bool {
         match &item.layout {
             Layout::Other(c) => matches!(c, '+' | '-'),

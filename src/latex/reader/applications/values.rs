@@ -98,6 +98,12 @@ impl Reader<'_> {
         }
     }
 
+    /// The name that an item is, without a power, and the number of its dots.
+    pub(super) fn lone_name(&self, item: &Item) -> Option<(Name, u8)> {
+        let printed = names::printed(item, self.branch).filter(|printed| printed.sup.is_none())?;
+        Some((printed.name, printed.dots))
+    }
+
     /// Whether a name is one of a number that does not change with the time.
     fn stays(&self, name: &Name) -> bool {
         let Some((id, indices)) = self.symbols.find(name) else { return false };
