@@ -117,7 +117,7 @@ fn introduction(report: &Report) -> Markup {
                     (Verdict::Verified, true, "holds at every sampled state"),
                     (Verdict::Definition, true, "defines a name, and other equations test it"),
                     (Verdict::Law, true, "a law that the claims file names; it is taken for granted and not checked"),
-                    (Verdict::Assumed, true, "does not follow from the other displays, and was not checked"),
+                    (Verdict::Assumed, true, "no derivation from the other displays was found, so it is taken for granted"),
                     (Verdict::Refuted, false, "wrong: it fails at a sampled state, which is shown; a correction is shown where one was found"),
                     (Verdict::Refuted, true, "a known mistake: it is wrong, as the claims file expects"),
                     (Verdict::Undecided, false, "not decided; the reason is given"),

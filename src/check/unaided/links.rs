@@ -46,8 +46,9 @@ pub(super) fn apart(checker: &Checker<'_>, first: usize, found: &[Equation]) -> 
             // Where a chain ends with "= 0", the author asks when that is so. And its first equality may give a name a formula.
             let is_condition = statement.members[link + 1].is_null();
             let is_definition = link == 0 && statement.members[0].as_plain_symbol().is_some();
-            // In which limit letters are nearly equal is said of the whole chain. Numbers are compared.
+            // What is nearly equal on the way to something else is so in a limit that the whole chain has. Numbers are compared.
             let is_rough = is_near(statement.relations[link].0)
+                && link + 1 < statement.relations.len()
                 && statement.members[link..link + 2].iter().any(|side| !side.symbols().is_empty());
             if apart.links.len() < MOST
                 && !is_rough
@@ -141,12 +142,14 @@ pub(super) fn merged(found: &mut [Equation], first: usize, apart: &Apart, links:
                 own.iter().filter(|link| !holds(link)).map(|link| format!("“{}”", link.reading)).collect();
             chain.finding.message = match open.as_slice() {
                 all if all.len() == own.len() => continue,
-                [] => {
-                    "the first equality of this chain is taken for granted, and was not checked; what comes after it follows"
-                        .to_owned()
-                }
-                [only] => format!("{only} does not follow from the other displays, and was not checked; the rest follows"),
-                all => format!("{} do not follow from the other displays, and were not checked; the rest follows", all.join(" and ")),
+                [] => "the first equality of this chain is taken for granted; what comes after it follows".to_owned(),
+                [only] => format!(
+                    "no derivation of {only} from the other displays was found, so it is taken for granted; the rest follows"
+                ),
+                all => format!(
+                    "no derivation of {} from the other displays was found, so they are taken for granted; the rest follows",
+                    all.join(" and ")
+                ),
             };
         }
     }

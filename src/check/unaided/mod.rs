@@ -213,7 +213,9 @@ fn with_formulas(
             evaluated: formulas.evaluated.clone(),
             ..scope::Scope::whole()
         };
-        with_checker(run, &claims, notes, |checker| course::judged(run, &checker, scope))
+        let known =
+            |at: usize| found.get(at.checked_sub(scope.carried)?).filter(|_| !formulas.needs(at, scope)).cloned();
+        with_checker(run, &claims, notes, |checker| course::judged_again(run, &checker, scope, (&known, &[])))
     });
     if let Ok(again) = again {
         formulas.merged(found, &again.found);

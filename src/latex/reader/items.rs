@@ -224,6 +224,14 @@ pub(super) fn head_word(item: &Item) -> Option<String> {
     }
 }
 
+/// The base of `\log_{10}`, if it is a whole number. Without a base \log may be the natural logarithm or the decimal one.
+pub(super) fn log_base(head: &Item) -> Option<u32> {
+    let Layout::Scripts { nucleus, sub: Some(base), primes: 0, .. } = &head.layout else { return None };
+    let is_log = matches!(&nucleus.layout, Layout::Command(name) if name == "\\log");
+    let [Item { layout: Layout::Number(digits), .. }] = contents(base) else { return None };
+    digits.parse().ok().filter(|base| is_log && *base > 1)
+}
+
 /// A function's command with the power on it.
 pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>)>> {
     let named = |item: &Item| {
@@ -238,6 +246,9 @@ pub(super) fn function_head(item: &Item) -> Read<Option<(Function, Option<&Item>
     let Layout::Scripts { nucleus, sub, sup, primes } = &item.layout else {
         return Ok(None);
     };
+    if log_base(item).is_some() {
+        return Ok(Some((Function::Ln, sup.as_deref())));
+    }
     let Some(function) = named(nucleus) else {
         return Ok(None);
     };

@@ -20,7 +20,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::Equation;
 use crate::formula::{Expr, Statement, SymbolId};
-use crate::latex::slips::Slip;
+use crate::latex::slips::{self, Pool, Slip};
 use crate::notes::claims::Claim;
 use crate::source::Span;
 
@@ -96,7 +96,7 @@ pub(in crate::check::unaided) fn against_premises(course: &Course<'_, '_>, found
                 continue;
             };
             let (id, name) = (found[place].id.clone(), found[premised].id.clone());
-            let beside = beside(course, (*at, set, premise), found);
+            let beside = beside(course, (*at, set, premise), found)?;
             if !beside.is_empty() {
                 let others = |own: &String| [std::slice::from_ref(own), &beside].concat();
                 found[premised] = contradicted_by_several(&found[premised], &others(&id));
@@ -118,12 +118,12 @@ pub(in crate::check::unaided) fn against_premises(course: &Course<'_, '_>, found
 }
 
 /// The other displays that may be wrong where one does not follow from a premise: the other premises, and the definitions of which
-/// no display that follows uses the name.
+/// no display that follows uses the name, if one edit of them explains it too.
 fn beside(
     course: &Course<'_, '_>,
     (at, set, premise): (usize, &[Premise], &Premise),
     found: &[Equation],
-) -> Vec<String> {
+) -> Result<Vec<String>> {
     let (checker, first) = (course.checker, course.scope.carried);
     let names = |at: usize| {
         let members = checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
@@ -138,13 +138,36 @@ fn beside(
         let introduced = &checker.readings[*place].introduced;
         introduced.iter().any(|new| used.contains(&new.symbol) && !is_tested(new.symbol))
     };
-    let definitions = (0..at).filter(|place| *place != premise.at).filter(is_doubtful);
-    let premises = set.iter().map(|other| other.at).filter(|other| *other != premise.at);
-    let mut all: Vec<usize> = definitions.chain(premises).collect();
+    let claim = premises::claim(&set.iter().collect::<Vec<&Premise>>());
+    let mut all: Vec<usize> = set.iter().map(|other| other.at).filter(|other| *other != premise.at).collect();
+    for place in (0..at).filter(|place| *place != premise.at).filter(is_doubtful) {
+        if definition_explains(checker, place, at, &claim)? {
+            all.push(place);
+        }
+    }
     all.retain(|place| !inline::is_inline(checker.notes, &checker.notes.equations[*place]));
     all.sort_unstable();
     all.dedup();
-    all.into_iter().filter_map(|place| checker.notes.equations[place].id().map(str::to_owned)).collect()
+    Ok(all.into_iter().filter_map(|place| checker.notes.equations[place].id().map(str::to_owned)).collect())
+}
+
+/// The most edits of a definition that are tried.
+const TRIED: usize = 40;
+
+/// Whether one likely edit of a definition makes a display pass with a claim.
+fn definition_explains(checker: &Checker<'_>, definition: usize, at: usize, claim: &Claim) -> Result<bool> {
+    let text = &checker.notes.equations[definition].text;
+    let mut edits = slips::corrections(text, &checker.model.symbols, &checker.model.macros, &Pool::empty());
+    edits.retain(|edit| is_common(edit.slip));
+    for edit in edits.into_iter().take(TRIED) {
+        let judge =
+            |checker: &Checker<'_>| checker.equation(at, Some(claim)).map(|found| found.finding.verdict.passes());
+        if checker.with_edited_text(checker.options, definition, &edit.applied(text), judge).transpose()? == Some(true)
+        {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
 /// Whether a relation contains a name to which only a later display gives a formula, as w' before `w(\ell) = …`: the author may have

@@ -17,6 +17,7 @@ use crate::check::verdict::report::Equation;
 use crate::code::Code;
 use crate::formula::{Expr, Node, SymbolId};
 use crate::latex::DefinedSymbol;
+use crate::latex::layout::prints_derivative;
 use crate::latex::slips::{Edit, Slip};
 use crate::notes::claims::Claim;
 use crate::source::Span;
@@ -29,7 +30,7 @@ const INEQUALITIES: [&str; 12] =
     ["<", ">", "≤", "≥", "\\lt", "\\gt", "\\le", "\\ge", "\\leq", "\\geq", "\\leqslant", "\\geqslant"];
 
 impl Course<'_, '_> {
-    /// Whether both sides of a display, or of an equality of a chain, are made of the same constants, and of so many that no condition
+    /// Whether both sides of a display, or of an equality of a chain, are made of the same names, and of so many that no condition
     /// in the words could make two different formulas of them equal by chance.
     fn relates_the_same(&self, at: usize) -> bool {
         let model = self.checker.model;
@@ -39,14 +40,32 @@ impl Course<'_, '_> {
             all.dedup();
             all
         };
-        let is_constant = |id: &SymbolId| matches!(model.meaning(*id), Some(Meaning::Constant(_)));
+        let is_free = |id: &SymbolId| {
+            matches!(
+                model.meaning(*id),
+                Some(Meaning::Constant(_) | Meaning::Varying(_) | Meaning::Coordinate(_) | Meaning::Time)
+            )
+        };
         let statements = self.checker.readings[at].statements.iter().flatten();
         statements.into_iter().all(|statement| {
             let skipped = usize::from(statement.members.len() > 2 && statement.members[0].as_plain_symbol().is_some());
             let all: Vec<_> = statement.members[skipped..].iter().map(leaves).collect();
             all.len() > 1
                 && all.windows(2).all(|pair| pair[0] == pair[1])
-                && all.iter().all(|leaves| leaves.len() >= FEWEST_RESTATED && leaves.iter().all(is_constant))
+                && all.iter().all(|leaves| leaves.len() >= FEWEST_RESTATED && leaves.iter().all(is_free))
+        })
+    }
+
+    /// Whether a display equates a name with a formula to a derivative, which has a value: `E = -dV/dr` after formulas for E and V.
+    fn equates_a_derivative(&self, at: usize) -> bool {
+        let (model, display, reading) =
+            (self.checker.model, &self.checker.notes.equations[at], &self.checker.readings[at]);
+        reading.statements.iter().flatten().any(|statement| {
+            let [name, value] = statement.members.as_slice() else { return false };
+            let Some(id) = name.as_plain_symbol() else { return false };
+            let is_known = matches!(model.meaning(id), Some(Meaning::Defined(_)))
+                && !reading.introduced.iter().any(|new| new.symbol == id);
+            is_known && display.text.get(value.span.range()).is_some_and(|text| prints_derivative(text, &model.macros))
         })
     }
 
@@ -82,7 +101,7 @@ impl Course<'_, '_> {
             || claim.equilibrium.is_some()
             || claim.secular_for.is_some()
             || checker.readings[at].introduced.iter().any(is_frequency);
-        let is_evaluated = self.scope.evaluated.contains(&at);
+        let is_evaluated = self.scope.evaluated.contains(&at) || self.equates_a_derivative(at);
         let solves = set.is_empty()
             && (is_claimed
                 || is_evaluated
@@ -158,9 +177,12 @@ impl Course<'_, '_> {
         if set.iter().any(|premise| matches!(premise.said, Said::States(_))) {
             repairs.retain(|repair| !adds_a_state(repair, checker));
         }
-        if solves && repairs.is_empty() {
-            repairs = checker.repairs_of_own_definition(self.run, at)?;
-            repairs.retain(|repair| gate::is_likely(repair, display, &around));
+        // A slip in the formula that the display gives a name comes before edits of where the name stands.
+        if solves && (repairs.is_empty() || !checker.readings[at].introduced.is_empty()) {
+            let mut own = checker.repairs_of_own_definition(self.run, at)?;
+            own.retain(|repair| gate::is_likely(repair, display, &around));
+            repairs.retain(|repair| !own.contains(repair));
+            repairs.splice(0..0, own);
         }
         if checker.readings[at].introduced.iter().any(is_frequency) {
             repairs.retain(|repair| !only_negates(repair, checker));

@@ -2,7 +2,7 @@
 //! the equation of state stands before it, `\phi \approx \dots`, or the solution of an equation of motion.
 //!
 //! Such a name is read as a number, so its derivative is a quantity of its own and the display is taken for granted. The notes
-//! are read once more with the formula as a definition, and these displays are judged by that reading. All others keep their
+//! are read once more with the formula as a definition, and these displays are judged by the definitions alone. All others keep their
 //! findings: where the name stands without a derivative, its relations say all.
 //!
 //! Offers `sought`, the formulas and the displays that need them, and `Formulas::merged`. Knows `guess`, `calculus` and `gate`.
@@ -85,6 +85,11 @@ impl Formulas {
             self.printed_in.push(checker.notes.equations[candidate.at].id().unwrap_or_default().to_owned());
             self.given.len() - 1
         })
+    }
+
+    /// Whether a display needs one of the formulas.
+    pub fn needs(&self, at: usize, scope: &Scope) -> bool {
+        self.targets.iter().any(|(place, _)| scope.carried + place == at)
     }
 
     /// Puts the findings on the displays that need the formulas in the place of those before, where they say more.

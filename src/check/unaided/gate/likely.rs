@@ -73,7 +73,9 @@ fn is_no_slip_in_text(repair: &Repair, before: &str, left_out: &str, around: &Ar
         return true;
     }
     // Authors lose terms; they do not add terms that do not belong.
-    if repair.replacement.trim().is_empty() && left_out.contains(|c: char| c.is_ascii_alphabetic()) {
+    let without_bars =
+        ["\\frac", "\\tfrac", "\\dfrac"].iter().fold(left_out.to_owned(), |text, bar| text.replace(bar, ""));
+    if repair.replacement.trim().is_empty() && without_bars.contains(|c: char| c.is_ascii_alphabetic()) {
         return true;
     }
     // Nor do they write a number that is not there, but for the small ones of ½, 2π and 4π.

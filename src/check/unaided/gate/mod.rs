@@ -239,7 +239,7 @@ pub(super) fn not_computed(equation: &Equation) -> Option<Equation> {
         equation.finding.verdict == Verdict::Definition && equation.finding.message.starts_with("defines ");
     let latex = equation.latex.trim_start();
     let (_, word) = COMPUTED.iter().find(|(sign, _)| latex.starts_with(sign)).filter(|_| is_defined)?;
-    let message = format!("onshell cannot compute this {word}, so the equation is taken for granted, and not checked");
+    let message = format!("onshell cannot compute this {word}, so the equation is taken for granted");
     Some(settled(equation, (Verdict::Assumed, Code::Assumed), message))
 }
 
@@ -266,7 +266,7 @@ pub(super) fn left_open(equation: Equation) -> Equation {
 }
 
 fn taken_for_granted(span: Span) -> Finding {
-    let message = "this does not follow from the other displays; it is taken for granted, and not checked";
+    let message = "onshell found no derivation of this from the other displays, so it is taken for granted";
     Finding::new(Code::Assumed, Verdict::Assumed, span, message)
 }
 

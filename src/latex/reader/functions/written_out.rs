@@ -3,12 +3,22 @@
 use crate::formula::tree::{Expr, Function, Node, Sign, Term};
 
 use super::super::super::layout::Item;
-use super::super::items::{area_function, head_word, reciprocal};
+use super::super::items::{area_function, head_word, log_base, reciprocal};
 
-/// A function without a value of its own, written out: coth is 1/tanh, arsinh x is ln(x + √(x² + 1)).
+/// A function without a value of its own, written out: coth is 1/tanh, arsinh x is ln(x + √(x² + 1)), and
+/// log₁₀ x is ln x/ln 10.
 pub(in super::super) fn written_out(head: &Item, call: Expr) -> Expr {
-    let Some(word) = head_word(head) else { return call };
     let span = call.span;
+    if let Some(base) = log_base(head) {
+        return match call.node {
+            Node::Power(inner, exponent) => Expr::new(Node::Power(Box::new(written_out(head, *inner)), exponent), span),
+            _ => {
+                let of_base = Expr::new(Node::Call(Function::Ln, Box::new(Expr::integer(base, span))), span);
+                Expr::new(Node::Quotient(Box::new(call), Box::new(of_base)), span)
+            }
+        };
+    }
+    let Some(word) = head_word(head) else { return call };
     let one = || Expr::integer(1, span);
     if matches!(call.node, Node::Call(Function::Tanh | Function::Cosh | Function::Sinh, _) | Node::Power(..))
         && reciprocal(&word).is_some()
