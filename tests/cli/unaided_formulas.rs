@@ -86,13 +86,17 @@ fn a_solution_gives_its_value_at_an_instant_and_the_integral_of_its_rate() {
 fn a_rate_beside_its_solution_is_a_claim() {
     let notes = r"In the circuit
 
-$$ L \frac{dI}{dt} + \frac{q}{C} = 0, \qquad I = \frac{dq}{dt} $$
+$$ L \frac{dI}{dt} + \frac{Q}{C} = 0, \qquad I = \frac{dQ}{dt} $$
 
-and $\omega = 1/\sqrt{LC}$. The solution with $q(0) = q_0$ and $I(0) = 0$ is
+So
 
-$$ q = q_0 \cos\omega t, \qquad I = -\omega q_0 \sin\omega t $$
+$$ \ddot Q + \omega^2 Q = 0 \quad\text{with}\quad \omega = \frac{1}{\sqrt{LC}} $$
+
+The solution with $Q(0) = Q_0$ and $I(0) = 0$ is
+
+$$ Q = Q_0 \cos\omega t, \qquad I = -\omega Q_0 \sin\omega t $$
 ";
-    found_in("circuit", notes, 1, (r"I = -\omega q_0 \sin\omega t", r"I = -\omega q_0 \cos\omega t"));
+    found_in("circuit", notes, 2, (r"I = -\omega Q_0 \sin\omega t", r"I = -\omega Q_0 \cos\omega t"));
 }
 
 #[test]
@@ -143,4 +147,20 @@ fn what_cannot_be_computed_is_taken_for_granted_and_defines_nothing() {
     }
     // must-fail case: a name is defined.
     assert_eq!(found("computed-not", r"$$ S = \frac{\pi^2}{8} a $$"), ["definition"]);
+}
+
+/// Relations of several coordinates at once are no formulas of a curve.
+#[test]
+fn what_follows_from_nothing_stays_so_beside_a_formula() {
+    let notes = "$$ x + y = 1 $$\n\n$$ y = x^2 $$\n\n$$ x^2 + y^2 = r^2 $$\n\n$$ ds^2 = dx^2 + dy^2 $$\n";
+    assert!(found("line", notes).iter().all(|verdict| verdict != "refuted"));
+}
+
+#[test]
+fn a_logarithm_with_its_base_is_read() {
+    let sum = |sign: &str| found("log", &format!(r"$$ \log_{{10}}(a b) = \log_{{10}}(a) {sign} \log_{{10}}(b) $$"));
+    assert!(passes(&sum("+")[0]), "{:?}", sum("+"));
+    assert_eq!(sum("-"), ["refuted"]);
+    // Without a base nobody knows which logarithm it is.
+    assert_eq!(found("log-none", r"$$ \log(a b) = \log(a) - \log(b) $$"), ["definition"]);
 }

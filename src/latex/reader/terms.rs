@@ -9,7 +9,7 @@ use super::super::names;
 use super::functions::written_out;
 use super::items::{
     Joint, extent, function_head, is_any_integral, is_big_product, is_big_sum, is_integral, is_limit, is_numeric_item,
-    joint,
+    joint, log_base,
 };
 use super::state::{Read, Reader};
 use super::undeclared::follows_a_sum;
@@ -180,7 +180,9 @@ impl Reader<'_> {
         {
             return Ok((field, true));
         }
-        if let Some((function, power)) = function_head(item)? {
+        // For its structure alone, \log_{10} is shown with its base.
+        let is_shown = self.symbols.infers() && log_base(item).is_some();
+        if let Some((function, power)) = function_head(item)?.filter(|_| !is_shown) {
             *cursor += 1;
             let (call, enclosed) = self.call(function, power, item.span, items, cursor)?;
             return Ok((written_out(item, call), enclosed));
