@@ -35,7 +35,7 @@ const MEASURES: [&str; 14] = ["p", "P", "V", "T", "m", "M", "R", "C", "L", "n", 
 
 /// A name with the formula that the notes give it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::check::unaided) struct Formula {
+pub(crate) struct Formula {
     /// The name.
     pub name: Name,
     /// The formula, in LaTeX.

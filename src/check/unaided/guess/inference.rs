@@ -42,7 +42,7 @@ pub(crate) fn claims(run: &Run<'_>, notes: &Notes) -> Result<Claims> {
 ///
 /// # Errors
 /// When not even a claims file without declarations fits the notes.
-pub(in crate::check::unaided) fn claims_with(run: &Run<'_>, notes: &Notes, formulas: &[Formula]) -> Result<Claims> {
+pub(crate) fn claims_with(run: &Run<'_>, notes: &Notes, formulas: &[Formula]) -> Result<Claims> {
     let mut macros = Macros::default();
     define_macros(&notes.macros, &mut macros);
     let mut usages = names_in_order(notes, &macros);
