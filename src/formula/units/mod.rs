@@ -98,6 +98,7 @@ impl fmt::Display for Dimension {
 }
 
 /// A unit with a whole power, as it stands in a [`Dimension`]: `s⁻²`.
+#[cfg(feature = "notes")]
 pub(crate) fn power_of_unit(unit: &str, power: i32) -> String {
     let power = if power == 1 { String::new() } else { power.to_string() };
     format!("{unit}{}", power.chars().map(superscript).collect::<String>())
