@@ -144,6 +144,8 @@ pub mod notes;
 mod page;
 #[cfg(feature = "notes")]
 mod parallel;
+#[cfg(feature = "notes")]
+mod phrases;
 #[cfg(feature = "cli")]
 mod plot;
 #[cfg(feature = "cli")]

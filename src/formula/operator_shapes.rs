@@ -212,7 +212,12 @@ impl Binder<'_> {
                     .help("write the same number of entries in each row"));
             }
             for entry in row {
-                free = union(&free, &self.scalar(entry, "an entry of a matrix")?);
+                let found = self.bind(entry)?;
+                if found.shape == Shape::Complex && !self.symbols.is_abstract() {
+                    return Err(Fault::shape(entry.span, "complex matrices are not supported")
+                        .help("leave the display out with \"skip\" in a claims file"));
+                }
+                free = union(&free, &self.scalar_labels(found, entry.span, "an entry of a matrix")?);
             }
         }
         Ok(Type { shape: of_size(count, columns), free })

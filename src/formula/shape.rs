@@ -191,10 +191,6 @@ impl Binder<'_> {
         if found.shape != Shape::Scalar && !self.symbols.is_abstract() {
             let fault = Fault::shape(span, format!("{what} must be a scalar, but this is {}", found.shape.noun()));
             return Err(match found.shape {
-                Shape::Complex if what == "an entry of a matrix" => {
-                    Fault { message: "complex matrices are not supported".to_owned(), ..fault }
-                        .help("leave the display out with \"skip\" in a claims file")
-                }
                 Shape::Complex => {
                     Fault { message: format!("{what} must be a real number, but this is complex"), ..fault }
                         .help("write an equation for the real part and one for the imaginary part")

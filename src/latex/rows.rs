@@ -107,7 +107,7 @@ fn whole(items: &[Item]) -> Option<&[Vec<Vec<Item>>]> {
     let has_relation = |row: &Vec<Vec<Item>>| row.iter().flatten().any(|item| relation(item).is_some());
     let is_blank = |row: &Vec<Vec<Item>>| row.iter().flatten().all(|item| matches!(item.layout, Layout::Space(_)));
     let are_statements = || rows.iter().any(has_relation) && rows.iter().all(|row| has_relation(row) || is_blank(row));
-    // `\begin{matrix} a = b \ c = d \end{matrix}` has no brackets, and an equation is no element.
+    // `\begin{matrix} a = b \\ c = d \end{matrix}` has no brackets, and an equation is no element.
     let is_column = || name == "matrix" && rows.iter().all(|row| row.len() == 1);
     // `\begin{cases} \begin{aligned} … \end{aligned} \end{cases}`: the brace around rows.
     if name == "cases" && rows.len() == 1 {
@@ -133,7 +133,7 @@ fn cells_of(row: &[Item]) -> Vec<Vec<&Item>> {
 /// The rows of a row that ends with rows of its own.
 fn flattened(row: &[Item]) -> Vec<Vec<Vec<&Item>>> {
     let is_blank = |item: &Item| matches!(item.layout, Layout::Space(_) | Layout::Other('.' | ','));
-    // A system before further statements: `\begin{cases} x = 1 \ y = 2 \end{cases} \quad z = 3`.
+    // A system before further statements: `\begin{cases} x = 1 \\ y = 2 \end{cases} \quad z = 3`.
     if let Some(at) = row.iter().position(|item| !is_blank(item))
         && let Layout::Environment(name, inner) = &row[at].layout
         && is_system(name, inner)
@@ -148,7 +148,7 @@ fn flattened(row: &[Item]) -> Vec<Vec<Vec<&Item>>> {
     let Some((Item { layout: Layout::Environment(name, inner), .. }, before)) = row[..end].split_last() else {
         return vec![cells_of(row)];
     };
-    // A system after a word or an arrow: `\text{(a)} \rightarrow \begin{cases} x = 1 \ y = 2 \end{cases}`.
+    // A system after a word or an arrow: `\text{(a)} \rightarrow \begin{cases} x = 1 \\ y = 2 \end{cases}`.
     let is_arrow = |item: &Item| {
         matches!(&item.layout, Layout::Command(name)
             if ["\\Rightarrow", "\\rightarrow", "\\Leftrightarrow", "\\therefore"].contains(&name.as_str()))

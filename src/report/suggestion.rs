@@ -3,6 +3,7 @@
 use annotate_snippets::{Element, Group, Level};
 
 use crate::check::{Document, Equation, Fit, Misfit, Repair, Shared, Slip, Verdict};
+use crate::phrases;
 use crate::source::{Source, Span};
 
 use super::excerpt::{Excerpt, Mark, alone};
@@ -57,14 +58,14 @@ pub fn repair(repair: &Repair, first: bool, source: &Source, style: Style) -> St
     let then = match (&repair.shared, repair.step) {
         (Some(Shared { of, mends }), _) if mends.contains(of) => {
             let hold = if mends.len() == 1 { "holds" } else { "hold" };
-            format!("With this edit of ({of}), {} {hold}", listed(mends, "and"))
+            format!("With this edit of ({of}), {} {hold}", phrases::displays(mends, "and"))
         }
         (Some(Shared { of, mends }), _) => match mends.as_slice() {
             [one] if !is_adjective(repair.verdict) => {
                 format!("With this edit of ({of}), ({one}) passes")
             }
             [one] => format!("With this edit of ({of}), ({one}) is {}", repair.verdict),
-            _ => format!("With this edit of ({of}), {} hold", listed(mends, "and")),
+            _ => format!("With this edit of ({of}), {} hold", phrases::displays(mends, "and")),
         },
         (None, true) => "Then this step passes, but a later step of the chain still fails".to_owned(),
         (None, false) if repair.verdict == Verdict::Assumed => "Then the dimensions fit".to_owned(),
@@ -133,19 +134,9 @@ fn elsewhere(id: &str, displays: &[String], style: Style) -> String {
                 .to_owned()
         }
         displays => {
-            let listed = listed(displays, "or");
+            let listed = phrases::displays(displays, "or");
             format!("no passing equation uses {listed}, so the mistake may be in {listed}")
         }
     };
     alone(Group::with_title(Level::NOTE.secondary_title(titled("note", "", &title, style))), style)
-}
-
-/// Equations by their numbers.
-fn listed(ids: &[String], joined: &str) -> String {
-    let ids: Vec<String> = ids.iter().map(|id| format!("({id})")).collect();
-    match ids.split_last() {
-        Some((last, [])) => last.clone(),
-        Some((last, others)) => format!("{} {joined} {last}", others.join(", ")),
-        None => String::new(),
-    }
 }

@@ -252,7 +252,7 @@ fn a_step_that_builds_on_two_mistakes_names_both() {
         format!("{} {}", run.out, run.err).split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let both = said("both.md", "+");
-    assert!(both.contains("builds on the mistakes in lines 1 and 2"), "{both}");
+    assert!(both.contains("builds on the mistakes in line 1 and line 2"), "{both}");
     let one = said("one.md", "-");
     assert!(one.contains("builds on the mistake in line 2"), "{one}");
 }

@@ -19,10 +19,10 @@ use crate::check::model::meaning::{Meaning, Variable};
 use crate::check::sample::context::{Context, Options};
 use crate::check::sample::outcome::run;
 use crate::check::sample::setting::FEWEST;
-use crate::check::sample::unmet_hypotheses::listed;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
 use crate::check::verdict::report::Part;
+use crate::phrases::listed;
 
 impl Checker<'_> {
     /// The solution that the first link of a statement prints, if nothing else is claimed of it.

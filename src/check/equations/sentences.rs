@@ -7,6 +7,7 @@ use crate::code::Code;
 use crate::formula::{Expr, Relation, Statement, SymbolId, text};
 use crate::latex::Reading;
 use crate::notes::claims::{Claims, Holds, Key, Property, Sentence, Sign, Spanned, Test};
+use crate::phrases;
 use crate::source::{Missing, Span};
 use crate::suggest::in_json;
 use crate::{Error, Result};
@@ -227,7 +228,7 @@ fn refers_to(
             let others = match holders.as_slice() {
                 [] => String::new(),
                 [only] => format!("; ({only}) does"),
-                [before @ .., last] => format!("; ({}) and ({last}) do", before.join("), (")),
+                all => format!("; {} do", phrases::displays(all, "and")),
             };
             let message = match found {
                 Some(_) => format!("({}) does not contain {words}{others}", number),

@@ -11,12 +11,12 @@ use crate::check::model::free_symbols;
 use crate::check::model::meaning::Meaning;
 use crate::check::sample::context::Context;
 use crate::check::sample::outcome::run;
-use crate::check::sample::unmet_hypotheses::listed;
 use crate::check::search::family_sizes;
 use crate::check::state::counterexample::values_of_motion;
 use crate::check::vacuity::forced_value;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::finding::Finding;
+use crate::phrases::listed;
 
 /// Checks that a formula is constant on shell, and not for any motion. Hypotheses hold at all times here, except those about
 /// families.

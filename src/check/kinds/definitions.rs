@@ -14,6 +14,7 @@ use crate::Result;
 use crate::code::Code;
 use crate::formula::evaluate::evaluate;
 use crate::formula::{Expr, Node, Relation, SymbolId, Value, text};
+use crate::phrases::listed;
 use crate::scalar::RunningError;
 
 use crate::check::judge::mutants::mutants_of;
@@ -85,7 +86,7 @@ pub fn check(
     let Tested { surviving, names, points, .. } = tested;
     let (code, except) = match except.is_empty() {
         true => (Code::Definition, String::new()),
-        false => (Code::DefinitionUpToSign, format!(", except {}", listed(&except))),
+        false => (Code::DefinitionUpToSign, format!(", except {}", listed(&except, "and"))),
     };
     match surviving.first() {
         _ if names.is_empty() => {
@@ -246,14 +247,6 @@ impl<'f> Tested<'f> {
             except.extend((self.surviving.len() < moved).then_some("one dot more on its coordinates"));
         }
         Ok(except)
-    }
-}
-
-/// Phrases in a row: "a wrong sign, a wrong factor and one dot more".
-fn listed(phrases: &[&str]) -> String {
-    match phrases {
-        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
-        _ => phrases.concat(),
     }
 }
 

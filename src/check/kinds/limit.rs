@@ -174,7 +174,8 @@ pub(crate) fn meet_at(
         let is_near = |side: f64| {
             let (Some([a, b]), Some([c, d])) = (at(BESIDE, side), at(CLOSER, side)) else { return false };
             let (gap, closer) = ((a / b - 1.0).abs(), (c / d - 1.0).abs());
-            // Graphs that cross at a point are no approximation there: between finite values it is better than linear, or constant.
+            // Graphs that only cross are equal at one point. Of an approximation by a formula that varies, the error falls faster than
+            // the distance, unless both sides go to 0 or to infinity.
             let crosses = (c / a).ln().abs() < 1.0 && b != d && closer > gap * (1.5 * (BESIDE - CLOSER)).exp2();
             gap < UNSETTLED && !crosses
         };

@@ -5,6 +5,7 @@
 //! ([`super::small`]).
 
 use crate::Result;
+use crate::code::Code;
 use crate::formula::tree::Term;
 use crate::formula::{Expr, Node, SymbolId, text};
 
@@ -89,8 +90,8 @@ impl Series {
     pub fn check(&self, context: &Context<'_>) -> Result<Finding> {
         let found = small::check(&self.link, &self.small_names(), self.order, context)?;
         let name = text::plain(&context.model.name(self.small));
-        // A message that names the order names the letter too.
-        if found.message.ends_with(&format!(" for small {name}")) {
+        // The message on an order names the letter.
+        if found.code == Code::OrderDiffers {
             return Ok(found);
         }
         let message = format!("{}; {name} is taken to be small", found.message);

@@ -1,6 +1,7 @@
 //! The hypotheses that no state obeys, in words, with the places at which they are stated.
 
 use crate::formula::{Relation, text};
+use crate::phrases::listed;
 
 use crate::check::model::claim::Hypothesis;
 use crate::check::model::meaning::Meaning;
@@ -99,12 +100,4 @@ fn shown(hypothesis: &Hypothesis, projection: &Projection<'_>) -> String {
     let stated = hypothesis.stated.as_ref().map_or_else(String::new, |place| format!(" ({place})"));
     let always = if hypothesis.throughout { " at all times" } else { "" };
     format!("“{lhs} {} {rhs}”{always}{stated}", hypothesis.relation.glyph())
-}
-
-/// Phrases joined by commas and a last word.
-pub(crate) fn listed(phrases: &[String], last: &str) -> String {
-    match phrases {
-        [others @ .., end] if !others.is_empty() => format!("{} {last} {end}", others.join(", ")),
-        phrases => phrases.concat(),
-    }
 }

@@ -20,7 +20,6 @@ mod contradictions;
 mod course;
 mod dimensions;
 mod explanations;
-mod formulas;
 mod gate;
 pub(super) mod guess;
 mod indexed_states;
@@ -31,6 +30,7 @@ mod motion;
 mod nearness;
 mod ordered;
 mod premises;
+mod printed_formulas;
 mod prose;
 mod remarks;
 mod scope;
@@ -183,7 +183,13 @@ fn judged(run: &Run<'_>, claims: &Claims, notes: &Notes, scope: &scope::Scope) -
     let mut found = with_links(run, claims, notes, scope, judged)?;
     with_checker(run, claims, notes, |checker| {
         motion::weighed(&checker, scope, &mut found)?;
-        contradictions::weighed(&checker, scope.carried, &mut found)
+        contradictions::weighed(&checker, scope.carried, &mut found)?;
+        for (equation, reading) in found.iter_mut().zip(checker.readings.iter().skip(scope.carried)) {
+            if let Some(open) = gate::not_computed(equation, reading, checker.model) {
+                *equation = open;
+            }
+        }
+        Ok(())
     })?;
     Ok((found, inferred))
 }
@@ -200,7 +206,7 @@ fn with_formulas(
     found: &mut [Equation],
 ) -> Result<()> {
     let claims = prose_claims::with_guesses(run, claims, notes);
-    let formulas = with_checker(run, &claims, notes, |checker| Ok(formulas::sought(&checker, scope, found)))?;
+    let formulas = with_checker(run, &claims, notes, |checker| Ok(printed_formulas::sought(&checker, scope, found)))?;
     if formulas.given.is_empty() {
         return Ok(());
     }
@@ -312,9 +318,6 @@ fn document(
     }
     let inferred = [inferred, taken_from_sentences(notes, &mut equations)].concat();
     for equation in &mut equations {
-        if let Some(open) = gate::not_computed(equation) {
-            *equation = open;
-        }
         if let Some(rejected) = prose::rejected::found(notes, equation) {
             *equation = rejected;
         }

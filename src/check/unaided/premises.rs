@@ -8,6 +8,7 @@ use crate::check::unaided::prose::Words;
 use crate::check::unaided::signs::Positive;
 use crate::formula::SymbolId;
 use crate::notes::claims::{Claim, Spanned};
+use crate::phrases::listed;
 use crate::source::Span;
 
 /// The number of the last displays from which sets are made.
@@ -218,4 +219,17 @@ impl PartialEq for Premise {
     fn eq(&self, other: &Premise) -> bool {
         self.at == other.at && self.said == other.said
     }
+}
+
+/// The displays of some premises, in their order, as a message names them.
+pub(super) fn named(set: &[&Premise]) -> String {
+    let mut set = set.to_vec();
+    set.sort_by_key(|premise| premise.at);
+    let name = |premise: &&Premise| match premise.said {
+        Said::States(_) => format!("({}) in each state", premise.id),
+        _ => format!("({})", premise.id),
+    };
+    let mut ids: Vec<String> = set.iter().map(name).collect();
+    ids.dedup();
+    listed(&ids, "and")
 }

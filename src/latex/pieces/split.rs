@@ -372,7 +372,7 @@ impl<'a> Splitter<'a, '_> {
         if piece.links.is_empty() {
             piece.links.push(Link { relation: None, sign: None, items: Vec::new() });
         }
-        // `a = \ = b` repeats the sign at the beginning of the row.
+        // `a = \\ = b` repeats the sign at the beginning of the row.
         let is_again = starts_row
             && piece.links.last().is_some_and(|last| {
                 last.relation.is_some_and(|(before, _)| before == found)

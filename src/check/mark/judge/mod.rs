@@ -8,6 +8,7 @@ use crate::code::Code;
 use crate::formula::{Expr, SymbolId};
 use crate::latex::Reading;
 use crate::notes::claims::Claim;
+use crate::phrases::listed;
 use crate::source::Span;
 
 use crate::check::document::checker::Checker;
@@ -455,16 +456,6 @@ fn carried(lines: &[Line], from: usize, others: &[usize]) -> Because {
     all.sort_unstable();
     all.dedup();
     let names: Vec<&str> = all.iter().map(|at| lines[*at].name.as_str()).collect();
-    match names.as_slice() {
-        [before @ .., last] if !before.is_empty() => {
-            let numbers: Vec<&str> = names.iter().map(|name| name.trim_start_matches("line ")).collect();
-            let last = last.trim_start_matches("line ");
-            format!(
-                "is a correct step, but builds on the mistakes in lines {} and {last}",
-                numbers[..numbers.len() - 1].join(", ")
-            )
-        }
-        _ => format!("is a correct step, but builds on the mistake in {}", lines[from].name),
-    }
-    .into()
+    let mistakes = if names.len() == 1 { "mistake" } else { "mistakes" };
+    format!("is a correct step, but builds on the {mistakes} in {}", listed(&names, "and")).into()
 }

@@ -24,6 +24,7 @@ use crate::code::Code;
 use crate::formula::{Expr, Statement};
 use crate::latex::slips::Slip;
 use crate::notes::claims::Claim;
+use crate::phrases;
 
 /// Weighs the displays that were called wrong and use definitions; `first` is the place of the first finding.
 ///
@@ -136,16 +137,10 @@ pub(super) fn contradicted(equation: &Equation, other: &str) -> Equation {
 
 /// A display that others contradict together, where nobody can tell which of them is wrong.
 pub(super) fn contradicted_by_several(equation: &Equation, others: &[String]) -> Equation {
-    undecided(equation, format!("{} contradict this together, and one of these displays is wrong", listed(others)))
-}
-
-/// Names of displays, as in a sentence: (1), (2) and (3).
-fn listed(ids: &[String]) -> String {
-    let all: Vec<String> = ids.iter().map(|id| format!("({id})")).collect();
-    match all.as_slice() {
-        [before @ .., last] if !before.is_empty() => format!("{} and {last}", before.join(", ")),
-        all => all.concat(),
-    }
+    undecided(
+        equation,
+        format!("{} contradict this together, and one of these displays is wrong", phrases::displays(others, "and")),
+    )
 }
 
 /// A display that is left open, for the reason that the message gives.
@@ -161,7 +156,7 @@ pub(super) fn open(equation: &Equation, other: &str, repair: Repair) -> Equation
 
 /// The same where several displays contradict it together; `repair` is an edit of one of them.
 pub(super) fn open_beside_several(equation: &Equation, others: &[String], repair: Repair) -> Equation {
-    let message = format!("this contradicts {}, and one of these displays is wrong", listed(others));
+    let message = format!("this contradicts {}, and one of these displays is wrong", phrases::displays(others, "and"));
     open_beside(equation, message, repair)
 }
 

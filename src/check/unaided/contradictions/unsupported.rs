@@ -161,7 +161,7 @@ fn definition_explains(checker: &Checker<'_>, definition: usize, at: usize, clai
     edits.retain(|edit| is_common(edit.slip));
     for edit in edits.into_iter().take(TRIED) {
         let judge =
-            |checker: &Checker<'_>| checker.equation(at, Some(claim)).map(|found| found.finding.verdict.passes());
+            |checker: &Checker<'_>| checker.equation(at, Some(claim)).map(|found| found.finding.verdict.holds());
         if checker.with_edited_text(checker.options, definition, &edit.applied(text), judge).transpose()? == Some(true)
         {
             return Ok(true);

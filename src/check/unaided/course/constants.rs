@@ -5,9 +5,9 @@
 //! with it, whether it is printed before the solution or directly after it.
 
 use crate::Result;
-use crate::check::unaided::course::{Course, named, taken};
+use crate::check::unaided::course::{Course, taken};
 use crate::check::unaided::gate;
-use crate::check::unaided::premises::{self, Premise, Said};
+use crate::check::unaided::premises::{self, Premise, Said, named};
 use crate::check::unaided::signs::Positive;
 use crate::check::unaided::solutions;
 use crate::check::verdict::report::Equation;

@@ -15,7 +15,6 @@ use crate::check::model::meaning::Meaning;
 use crate::check::repair::culprit::is_common;
 use crate::check::repair::ranking::{adds_parentheses, rank};
 use crate::check::repair::suggest::is_in_source;
-use crate::check::sample::unmet_hypotheses::listed;
 use crate::check::unaided::course::Course;
 use crate::check::unaided::gate;
 use crate::check::verdict::Verdict;
@@ -25,6 +24,7 @@ use crate::code::Code;
 use crate::formula::{Expr, Node, Relation, Statement, SymbolId, text};
 use crate::latex::read_display;
 use crate::latex::slips::{self, Edit, Pool, Slip};
+use crate::phrases::listed;
 use crate::source::Span;
 
 /// The most edits of one formula that are tried, the likeliest first.

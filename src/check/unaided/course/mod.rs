@@ -38,7 +38,7 @@ use crate::check::unaided::contradictions;
 use crate::check::unaided::gate;
 use crate::check::unaided::inline;
 use crate::check::unaided::ordered::{self, Ordered};
-use crate::check::unaided::premises::{self, Premise, Said, Sought};
+use crate::check::unaided::premises::{self, Premise, Sought, named};
 use crate::check::unaided::prose;
 use crate::check::unaided::prose::contrasts::Cases;
 use crate::check::unaided::scope::Scope;
@@ -485,16 +485,4 @@ impl Course<'_, '_> {
         }
         Ok(gate::as_following(self.equation(&self.quick, at, claim)?))
     }
-}
-
-pub(super) fn named(set: &[&Premise]) -> String {
-    let mut set = set.to_vec();
-    set.sort_by_key(|premise| premise.at);
-    let name = |premise: &&Premise| match premise.said {
-        Said::States(_) => format!("({}) in each state", premise.id),
-        _ => format!("({})", premise.id),
-    };
-    let mut ids: Vec<String> = set.iter().map(name).collect();
-    ids.dedup();
-    crate::check::sample::unmet_hypotheses::listed(&ids, "and")
 }

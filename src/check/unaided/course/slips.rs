@@ -5,10 +5,10 @@ use crate::check::document::checker::Checker;
 use crate::check::model::meaning::Meaning;
 use crate::check::repair::suggest::Search;
 use crate::check::unaided::contradictions;
-use crate::check::unaided::course::{Course, FEWEST_RESTATED, named};
+use crate::check::unaided::course::{Course, FEWEST_RESTATED};
 use crate::check::unaided::dimensions;
 use crate::check::unaided::gate::{self, Basis};
-use crate::check::unaided::premises::{Premise, Said};
+use crate::check::unaided::premises::{Premise, Said, named};
 use crate::check::unaided::prose::{self, Announced, Words};
 use crate::check::unaided::solutions;
 use crate::check::verdict::Verdict;
@@ -46,14 +46,18 @@ impl Course<'_, '_> {
                 Some(Meaning::Constant(_) | Meaning::Varying(_) | Meaning::Coordinate(_) | Meaning::Time)
             )
         };
-        let statements = self.checker.readings[at].statements.iter().flatten();
-        statements.into_iter().all(|statement| {
-            let skipped = usize::from(statement.members.len() > 2 && statement.members[0].as_plain_symbol().is_some());
-            let all: Vec<_> = statement.members[skipped..].iter().map(leaves).collect();
-            all.len() > 1
-                && all.windows(2).all(|pair| pair[0] == pair[1])
-                && all.iter().all(|leaves| leaves.len() >= FEWEST_RESTATED && leaves.iter().all(is_free))
-        })
+        let statements = &self.checker.readings[at].statements;
+        let mut read = statements.iter().flatten();
+        !statements.is_empty()
+            && statements.iter().all(Result::is_ok)
+            && read.all(|statement| {
+                let skipped =
+                    usize::from(statement.members.len() > 2 && statement.members[0].as_plain_symbol().is_some());
+                let all: Vec<_> = statement.members[skipped..].iter().map(leaves).collect();
+                all.len() > 1
+                    && all.windows(2).all(|pair| pair[0] == pair[1])
+                    && all.iter().all(|leaves| leaves.len() >= FEWEST_RESTATED && leaves.iter().all(is_free))
+            })
     }
 
     /// Whether a display equates a name with a formula to a derivative, which has a value: `E = -dV/dr` after formulas for E and V.

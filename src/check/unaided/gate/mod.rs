@@ -16,6 +16,7 @@ use crate::latex::{Macros, Reading, read_display};
 use crate::notes::Display;
 use crate::source::Span;
 
+use crate::check::document::checker::Checker;
 use crate::check::model::Model;
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
@@ -159,6 +160,14 @@ pub(super) fn names(formula: &Expr, model: &Model) -> Vec<SymbolId> {
     found
 }
 
+/// A display, and those before it that give a formula to a name which it uses, through other names too.
+pub(super) fn with_definitions(checker: &Checker<'_>, at: usize) -> Vec<usize> {
+    let members = checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
+    let used: Vec<SymbolId> = members.flat_map(|member| names(member, checker.model)).collect();
+    let gives_one = |place: &usize| checker.readings[*place].introduced.iter().any(|new| used.contains(&new.symbol));
+    (0..at).filter(gives_one).chain([at]).collect()
+}
+
 /// The number of different symbols that members relate, without those that formulas define.
 fn distinct(members: &[Expr], model: &Model) -> usize {
     let mut all: Vec<SymbolId> = members.iter().flat_map(|member| leaves(member, model)).collect();
@@ -232,13 +241,16 @@ pub(super) fn introduces(equation: Equation, name: &str) -> Equation {
 const COMPUTED: [(&str, &str); 5] =
     [("\\int", "integral"), ("\\oint", "integral"), ("\\sum", "sum"), ("\\prod", "product"), ("\\lim", "limit")];
 
-/// The equation as it counts where its left side is an integral, a sum or a limit that stands for one name: such a side has a value,
-/// so the equation defines nothing. `None` for any other.
-pub(super) fn not_computed(equation: &Equation) -> Option<Equation> {
-    let is_defined =
-        equation.finding.verdict == Verdict::Definition && equation.finding.message.starts_with("defines ");
-    let latex = equation.latex.trim_start();
-    let (_, word) = COMPUTED.iter().find(|(sign, _)| latex.starts_with(sign)).filter(|_| is_defined)?;
+/// The equation as it counts where what it defines is no name but an integral, a sum or a limit that stands for one: such a side has a
+/// value, so the equation defines nothing. `None` for any other.
+pub(super) fn not_computed(equation: &Equation, reading: &Reading, model: &Model) -> Option<Equation> {
+    if equation.finding.verdict != Verdict::Definition {
+        return None;
+    }
+    let [Ok(statement)] = reading.statements.as_slice() else { return None };
+    let id = statement.members.first()?.as_plain_symbol()?;
+    let name = &model.symbols.entry(id).name.base;
+    let (_, word) = COMPUTED.iter().find(|(sign, _)| name.starts_with(sign))?;
     let message = format!("onshell cannot compute this {word}, so the equation is taken for granted");
     Some(settled(equation, (Verdict::Assumed, Code::Assumed), message))
 }

@@ -16,7 +16,7 @@ use crate::source::Span;
 impl Course<'_, '_> {
     /// Whether a derivative that was read as 0 without a reason stands in a display, or in a formula that it uses.
     pub(super) fn rests_on_lost_derivatives(&self, at: usize) -> bool {
-        self.with_definitions(at).into_iter().any(|place| self.has_lost_derivative(place))
+        gate::with_definitions(self.checker, at).into_iter().any(|place| self.has_lost_derivative(place))
     }
 
     fn has_lost_derivative(&self, at: usize) -> bool {

@@ -6,6 +6,7 @@
 use crate::check::model::meaning::Meaning;
 use crate::check::unaided::calculus::integrals::{self, Integral};
 use crate::check::unaided::course::Course;
+use crate::check::unaided::gate;
 use crate::check::unaided::prose;
 use crate::check::usage::names_of;
 use crate::formula::symbols::Name;
@@ -49,7 +50,7 @@ const NEAR: usize = 60;
 impl Course<'_, '_> {
     /// A letter that may depend on the letter of an integral, in a display or in a formula that it uses.
     pub(super) fn rests_on_hidden_letters(&self, at: usize) -> Option<String> {
-        self.with_definitions(at).into_iter().find_map(|place| self.hidden_letter(place))
+        gate::with_definitions(self.checker, at).into_iter().find_map(|place| self.hidden_letter(place))
     }
 
     /// A letter that may depend on the letter of an integral of a display.

@@ -75,16 +75,6 @@ impl Course<'_, '_> {
         passes.then(|| gate::settled(found, (Verdict::Undecided, Code::NotDecided), message))
     }
 
-    /// A display, and those before it that give a formula to a name which it uses, through other names too.
-    fn with_definitions(&self, at: usize) -> Vec<usize> {
-        let (checker, model) = (self.checker, self.checker.model);
-        let members = checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
-        let used: Vec<SymbolId> = members.flat_map(|member| gate::names(member, model)).collect();
-        let gives_one =
-            |place: &usize| checker.readings[*place].introduced.iter().any(|new| used.contains(&new.symbol));
-        (0..at).filter(gives_one).chain([at]).collect()
-    }
-
     /// Whether a derivative was read as 0 that is one of an energy for which no display has a formula.
     fn differentiates_an_open_energy(&self, at: usize) -> bool {
         let (checker, model) = (self.checker, self.checker.model);

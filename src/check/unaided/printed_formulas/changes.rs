@@ -31,7 +31,7 @@ pub(super) fn has_calculus(latex: &str, model: &Model) -> bool {
 
 /// The changes in a display, and in the formulas of the names in it.
 pub(super) fn changes(checker: &Checker<'_>, at: usize) -> Vec<Change> {
-    with_definitions(checker, at).into_iter().flat_map(|place| own(checker, place)).collect()
+    gate::with_definitions(checker, at).into_iter().flat_map(|place| own(checker, place)).collect()
 }
 
 /// The changes that a display prints.
@@ -40,14 +40,6 @@ pub(super) fn own(checker: &Checker<'_>, at: usize) -> Vec<Change> {
     rates(checker, at, &mut found);
     printed(checker, at, &mut found);
     found
-}
-
-/// A display, and those before it that give a formula to a name which it uses, through other names too.
-fn with_definitions(checker: &Checker<'_>, at: usize) -> Vec<usize> {
-    let members = checker.readings[at].statements.iter().flatten().flat_map(|statement| &statement.members);
-    let used: Vec<SymbolId> = members.flat_map(|member| gate::names(member, checker.model)).collect();
-    let gives_one = |place: &usize| checker.readings[*place].introduced.iter().any(|new| used.contains(&new.symbol));
-    (0..at).filter(gives_one).chain([at]).collect()
 }
 
 /// The rates in what was read.

@@ -13,10 +13,10 @@ use crate::check::document::checker::Checker;
 use crate::check::model::Model;
 use crate::check::model::claim::is_equality;
 use crate::check::model::meaning::Meaning;
-use crate::check::unaided::formulas::changes::Change;
 use crate::check::unaided::gate;
 use crate::check::unaided::guess::declarations::Formula;
 use crate::check::unaided::inline;
+use crate::check::unaided::printed_formulas::changes::Change;
 use crate::check::unaided::scope::Scope;
 use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
@@ -147,38 +147,39 @@ fn is_answered(change: &Change, candidate: &Candidate, model: &Model) -> bool {
         }
 }
 
-/// The displays that give names formulas, of which no other display says something else.
+/// What a statement with a name on its left side says of it.
+struct Said {
+    symbol: SymbolId,
+    /// The formula that it gives the name; `None`, if it says something else, or is wrong.
+    formula: Option<Candidate>,
+    /// Whether it follows from others.
+    follows: bool,
+}
+
+/// The formulas of names of which no other display says something else: what comes after the formula follows.
 fn candidates(checker: &Checker<'_>, carried: usize, found: &[Equation]) -> Vec<Candidate> {
-    let mut all: Vec<(Candidate, bool)> = Vec::new();
+    let mut all: Vec<Said> = Vec::new();
     for at in 0..(carried + found.len()).min(checker.readings.len()) {
-        let finding = at.checked_sub(carried).map(|place| &found[place].finding);
-        for statement in checker.readings[at].statements.iter().flatten() {
-            let Some(symbol) = statement.members.first().and_then(Expr::as_plain_symbol) else { continue };
-            if statement.members.len() < 2
-                || !matches!(checker.model.meaning(symbol), Some(Meaning::Constant(_) | Meaning::Varying(_)))
-            {
-                continue;
-            }
-            let is_derived = finding.is_some_and(|finding| finding.verdict.passes());
-            let is_wrong = finding.is_some_and(|finding| finding.verdict == Verdict::Refuted);
-            match candidate(checker, at, symbol, statement).filter(|_| !is_wrong) {
-                Some(candidate) => all.push((candidate, is_derived)),
-                // What says something else of the name, or what is wrong, leaves open which formula holds.
-                None if !is_derived => {
-                    all.push((Candidate { at, symbol, names: Vec::new(), latex: String::new() }, false))
-                }
-                None => {}
+        let verdict = at.checked_sub(carried).map(|place| found[place].finding.verdict);
+        for statement in
+            checker.readings[at].statements.iter().flatten().filter(|statement| statement.members.len() > 1)
+        {
+            let Some(symbol) = statement.members[0].as_plain_symbol() else { continue };
+            if matches!(checker.model.meaning(symbol), Some(Meaning::Constant(_) | Meaning::Varying(_))) {
+                let is_right = verdict != Some(Verdict::Refuted);
+                let formula = is_right.then(|| candidate(checker, at, symbol, statement)).flatten();
+                all.push(Said { symbol, formula, follows: verdict.is_some_and(Verdict::holds) });
             }
         }
     }
-    let is_alone = |at: usize| {
-        let (one, _) = &all[at];
-        let mut same = all.iter().enumerate().filter(|(_, (other, _))| other.symbol == one.symbol);
-        same.next().is_some_and(|(first, _)| first == at) && same.all(|(_, (_, is_derived))| *is_derived)
+    let is_alone = |at: &usize| {
+        let is_same = |other: &&Said| other.symbol == all[*at].symbol;
+        !all[..*at].iter().any(|other| is_same(&other))
+            && all[at + 1..].iter().filter(is_same).all(|other| other.follows)
     };
-    let alone: Vec<bool> = (0..all.len()).map(is_alone).collect();
-    let kept = all.into_iter().zip(alone).filter(|((one, _), is_alone)| *is_alone && !one.latex.is_empty());
-    kept.map(|((candidate, _), _)| candidate).collect()
+    let alone: Vec<usize> = (0..all.len()).filter(is_alone).collect();
+    let kept = all.into_iter().enumerate().filter(|(at, _)| alone.contains(at));
+    kept.filter_map(|(_, said)| said.formula).collect()
 }
 
 /// The formula that a statement gives a name, if it is one of numbers without derivatives and integrals.
