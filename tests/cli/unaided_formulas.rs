@@ -116,15 +116,54 @@ $$ \frac{\partial y}{\partial t} = -\omega A \cos(k x - \omega t) $$
     found_in("wave", notes, 2, (r"-\omega A \cos", r"\omega A \cos"));
 }
 
+/// A formula whose constant part is taken away has an integral to infinity; with the constant it has none.
+#[test]
+fn what_cools_down_loses_a_finite_heat() {
+    let notes = r"Newton's law of cooling,
+
+$$ \frac{dT}{dt} = -k (T - T_a) $$
+
+With $T(0) = T_0$ we have
+
+$$ T = T_a + (T_0 - T_a) e^{-k t} $$
+
+The rate at the beginning is
+
+$$ \dot T(0) = -k (T_0 - T_a) $$
+
+and the heat that is lost in all
+
+$$ Q = C \int_0^\infty k (T - T_a)\,dt = C (T_0 - T_a) $$
+";
+    found_in(
+        "rate",
+        notes,
+        2,
+        (
+            r"-k (T_0 - T_a) $$
+
+and",
+            "-k (T_0 + T_a) $$\n\nand",
+        ),
+    );
+    found_in("cooling", notes, 3, (r"= C (T_0 - T_a)", r"= 2 C (T_0 - T_a)"));
+    assert!(!passes(&found("cooling-all", &notes.replace(r"k (T - T_a)\,dt", r"k T\,dt"))[3]));
+}
+
 /// In two cases a name has two formulas, and nothing says of which the derivative is taken.
 #[test]
 fn a_name_with_two_formulas_has_no_derivative() {
     let notes = r"Inside $$ V \approx \frac{k r^2}{2} $$ and outside $$ V \approx \frac{c}{r} $$ so that
 $$ E = -\frac{\partial V}{\partial r} = \frac{c}{r^2} $$
 ";
-    let found = found("cases", notes);
-    assert!(found.iter().all(|verdict| verdict != "refuted"), "{found:?}");
-    assert!(!passes(&found[2]), "{found:?}");
+    let open = found("cases", notes);
+    assert!(open.iter().all(|verdict| verdict != "refuted") && !passes(&open[2]), "{open:?}");
+    // Neither of two displays that are taken for granted is the one that counts, though one of them is near to what follows.
+    let near = found("cases-near", &notes.replace(r"\frac{c}{r^2}", "2 k r"));
+    assert!(near.iter().all(|verdict| verdict != "refuted") && !passes(&near[2]), "{near:?}");
+    // must-fail case: with one formula the derivative is known.
+    let one = "Inside $$ V \\approx \\frac{k r^2}{2} $$ so that $$ E = -\\frac{\\partial V}{\\partial r} = -k r $$\n";
+    assert!(passes(&found("cases-one", one)[1]));
 }
 
 /// An integral whose integrand is a name with a formula is computed, and a slip in its value is found.

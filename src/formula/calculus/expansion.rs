@@ -12,6 +12,9 @@ use super::build::{Build, is_zero};
 /// The most terms of an expansion.
 const MOST: usize = 600;
 
+/// The most terms among which opposite ones are looked for.
+const MOST_COMPARED: usize = 24;
+
 /// A sine or a cosine of `rate`·x + `phase`.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Wave {
@@ -72,7 +75,7 @@ impl In {
                         all.push(monomial);
                     }
                 }
-                all
+                self.without_opposites(all)
             }
             Node::Product(factors) => factors
                 .iter()
@@ -117,6 +120,32 @@ impl In {
             _ => return None,
         };
         (terms.len() <= MOST).then_some(terms)
+    }
+
+    /// The terms but for pairs of a term and its opposite: of T − T₀ with T = T₀ + A e^{−kt} the constant goes, and so an integral to
+    /// infinity exists.
+    fn without_opposites(self, mut terms: Vec<Monomial>) -> Vec<Monomial> {
+        if terms.len() > MOST_COMPARED {
+            return terms;
+        }
+        let is_opposite = |a: &Monomial, b: &Monomial| {
+            let negative = |factor: &Expr| self.build.negative(factor.clone());
+            let is_alike = a.power == b.power && a.wave == b.wave;
+            is_alike
+                && [(&a.square, &b.square), (&a.rate, &b.rate), (&a.shift, &b.shift)].iter().all(|(a, b)| a == b)
+                && (negative(&a.factor) == b.factor || a.factor == negative(&b.factor))
+        };
+        let mut at = 0;
+        while at < terms.len() {
+            match (at + 1..terms.len()).find(|other| is_opposite(&terms[at], &terms[*other])) {
+                Some(other) => {
+                    terms.remove(other);
+                    terms.remove(at);
+                }
+                None => at += 1,
+            }
+        }
+        terms
     }
 
     /// The coefficients of a polynomial of at most this degree, the constant first; always `degree` + 1 of them.

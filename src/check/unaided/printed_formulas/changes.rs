@@ -1,4 +1,4 @@
-//! The names that a display differentiates or integrates, or a formula that it uses.
+//! The names that a display, or a formula that it uses, differentiates, integrates or takes at an instant.
 
 use crate::check::document::checker::Checker;
 use crate::check::document::setup::define_macros;
@@ -8,10 +8,11 @@ use crate::check::unaided::calculus::{derivatives, integrals};
 use crate::check::unaided::gate;
 use crate::formula::symbols::Name;
 use crate::formula::{Expr, SymbolId};
-use crate::latex::Macros;
-use crate::latex::layout::typeset_items;
+use crate::latex::layout::values::parts_of;
+use crate::latex::layout::{Delimiter, Item, Layout, typeset_items};
+use crate::latex::{Macros, names};
 
-/// A derivative of a name, or an integral over a formula with it.
+/// A derivative of a name, an integral over a formula with it, or its value at an instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Change {
     /// The name.
@@ -73,4 +74,23 @@ fn printed(checker: &Checker<'_>, at: usize, found: &mut Vec<Change>) {
         fraction.by.iter().for_each(|variable| add(&fraction.of, variable));
     }
     integrands.iter().for_each(|integral| add(&integral.names, &integral.letter));
+    let mut instants = Vec::new();
+    applied(&items, &mut instants);
+    found.extend(instants.iter().filter_map(id).map(|of| Change { of, by: None }));
+}
+
+/// The names before a parenthesis with a 0 or a lone name, which may be taken at an instant: `T(0)`, `\dot T(t_1)`.
+fn applied(items: &[Item], found: &mut Vec<Name>) {
+    for pair in items.windows(2) {
+        let Layout::Fence(Delimiter::Round, inside) = &pair[1].layout else { continue };
+        let is_instant = |item: &Item| {
+            matches!(&item.layout, Layout::Number(digits) if digits == "0") || names::printed(item, None).is_some()
+        };
+        if let (Some(printed), [only]) = (names::printed(&pair[0], None), inside.as_slice())
+            && is_instant(only)
+        {
+            found.push(printed.name);
+        }
+    }
+    items.iter().flat_map(parts_of).for_each(|part| applied(part, found));
 }
