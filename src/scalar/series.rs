@@ -169,7 +169,7 @@ impl<B: Number> Series<B> {
         // Not every number has a real part to ask. What is infinite or NaN is NaN times 0, which alone differs from
         // itself.
         let nothing = self.coefficients[0] * B::zero();
-        #[allow(clippy::eq_op)]
+        #[expect(clippy::eq_op, reason = "NaN alone differs from itself")]
         if nothing != nothing {
             self.coefficients[length..known].fill(B::from(f64::NAN));
             self.length = self.known;

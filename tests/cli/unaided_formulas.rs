@@ -153,17 +153,19 @@ and",
 /// In two cases a name has two formulas, and nothing says of which the derivative is taken.
 #[test]
 fn a_name_with_two_formulas_has_no_derivative() {
-    let notes = r"Inside $$ V \approx \frac{k r^2}{2} $$ and outside $$ V \approx \frac{c}{r} $$ so that
-$$ E = -\frac{\partial V}{\partial r} = \frac{c}{r^2} $$
-";
-    let open = found("cases", notes);
-    assert!(open.iter().all(|verdict| verdict != "refuted") && !passes(&open[2]), "{open:?}");
-    // Neither of two displays that are taken for granted is the one that counts, though one of them is near to what follows.
-    let near = found("cases-near", &notes.replace(r"\frac{c}{r^2}", "2 k r"));
-    assert!(near.iter().all(|verdict| verdict != "refuted") && !passes(&near[2]), "{near:?}");
-    // must-fail case: with one formula the derivative is known.
-    let one = "Inside $$ V \\approx \\frac{k r^2}{2} $$ so that $$ E = -\\frac{\\partial V}{\\partial r} = -k r $$\n";
-    assert!(passes(&found("cases-one", one)[1]));
+    let ball = |outside: &str, field: &str| {
+        let notes = format!(
+            "The energy of a charge is\n\n$$ U = q V $$\n\nInside the ball the potential is\n\n\
+             $$ V = \\frac{{k r^2}}{{2}} $$\n\n{outside}The field is\n\n\
+             $$ E_r = -\\frac{{\\partial V}}{{\\partial r}} = {field} $$\n"
+        );
+        found("ball", &notes).pop().expect("a verdict")
+    };
+    assert!(passes(&ball("", "-k r")));
+    assert_eq!(ball("", "-2 k r"), "refuted");
+    for field in ["-k r", "-2 k r"] {
+        assert_eq!(ball("and outside\n\n$$ V = \\frac{c}{r} $$\n\n", field), "undecided", "{field}");
+    }
 }
 
 /// An integral whose integrand is a name with a formula is computed, and a slip in its value is found.

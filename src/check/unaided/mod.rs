@@ -220,11 +220,11 @@ fn with_formulas(
             ..scope::Scope::whole()
         };
         let known =
-            |at: usize| found.get(at.checked_sub(scope.carried)?).filter(|_| !formulas.needs(at, scope)).cloned();
+            |at: usize| found.get(at.checked_sub(scope.carried)?).filter(|_| !formulas.concern(at, scope)).cloned();
         with_checker(run, &claims, notes, |checker| course::judged_again(run, &checker, scope, (&known, &[])))
     });
     if let Ok(again) = again {
-        formulas.merged(found, &again.found);
+        formulas.merged(found, &again.found, notes);
     }
     Ok(())
 }

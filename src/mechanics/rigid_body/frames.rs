@@ -41,8 +41,7 @@ pub fn axes_about<B: Number, D: Number>(
     let [x, y, z] = direction;
     let length = (x * x + y * y + z * z).sqrt();
     let unit = direction.map(|component| component / length);
-    // NaN alone differs from itself; numbers of a field have no size to ask for
-    #[allow(clippy::eq_op)]
+    #[expect(clippy::eq_op, reason = "NaN alone differs from itself; numbers of a field have no size to ask for")]
     if length.is_zero() || unit.iter().any(|component| component != component) {
         return Err(Error::new("the axis of rotation has no direction: it is 0, infinite or undefined")
             .help("give three finite numbers that are not all 0"));

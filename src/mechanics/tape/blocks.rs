@@ -19,7 +19,7 @@ pub type Block = [f64; LANES];
 /// The memory of a running program: its registers, and a spare block.
 pub struct Registers {
     level: Level,
-    #[allow(clippy::vec_box)] // blocks are swapped by their pointers, not copied
+    #[expect(clippy::vec_box, reason = "blocks are swapped by their pointers, not copied")]
     blocks: Vec<Box<Block>>,
     spare: Box<Block>,
     second_spare: Box<Block>,

@@ -10,7 +10,7 @@ use fearless_simd::{Simd, SimdBase, SimdFloat};
 pub(super) const LARGEST: f64 = 1e6;
 
 /// π/2 in three parts: 33 bits, the next 33, the next 53.
-#[allow(clippy::excessive_precision)] // the digits of the parts, exactly
+#[expect(clippy::excessive_precision, reason = "the digits of the parts, exactly")]
 const PARTS: [f64; 3] =
     [1.570_796_326_734_125_614_17, 6.077_100_506_303_965_976_60e-11, 2.022_266_248_795_950_631_54e-21];
 

@@ -22,6 +22,7 @@ use crate::check::verdict::Verdict;
 use crate::check::verdict::report::Equation;
 use crate::formula::{Expr, Kind, Node, Relation, Statement, SymbolId, text};
 use crate::latex::names;
+use crate::notes::Notes;
 
 /// The formulas of names, and the displays that need them.
 pub(super) struct Formulas {
@@ -29,8 +30,8 @@ pub(super) struct Formulas {
     pub given: Vec<Formula>,
     /// The places of the displays among the findings, each with the places of its formulas among those given.
     targets: Vec<(usize, Vec<usize>)>,
-    /// The names of the displays that print the formulas.
-    printed_in: Vec<String>,
+    /// The places of the displays that print the formulas.
+    printed_at: Vec<usize>,
     /// The places of displays that print a rate or a derivative of a formula which stands beside them.
     pub evaluated: Vec<usize>,
 }
@@ -48,7 +49,7 @@ struct Candidate {
 /// The formulas that displays need which do not follow otherwise. Beside a Lagrangian there are none: its coordinates move.
 pub(super) fn sought(checker: &Checker<'_>, scope: &Scope, found: &[Equation]) -> Formulas {
     let mut formulas =
-        Formulas { given: Vec::new(), targets: Vec::new(), printed_in: Vec::new(), evaluated: Vec::new() };
+        Formulas { given: Vec::new(), targets: Vec::new(), printed_at: Vec::new(), evaluated: Vec::new() };
     if checker.model.system.is_some() {
         return formulas;
     }
@@ -82,18 +83,18 @@ impl Formulas {
         let known = self.given.iter().position(|formula| formula.name == name);
         known.unwrap_or_else(|| {
             self.given.push(Formula { name, latex: candidate.latex.clone() });
-            self.printed_in.push(checker.notes.equations[candidate.at].id().unwrap_or_default().to_owned());
+            self.printed_at.push(candidate.at);
             self.given.len() - 1
         })
     }
 
-    /// Whether a display needs one of the formulas.
-    pub fn needs(&self, at: usize, scope: &Scope) -> bool {
-        self.targets.iter().any(|(place, _)| scope.carried + place == at)
+    /// Whether a display needs one of the formulas, or prints one, which is a definition then.
+    pub fn concern(&self, at: usize, scope: &Scope) -> bool {
+        self.printed_at.contains(&at) || self.targets.iter().any(|(place, _)| scope.carried + place == at)
     }
 
     /// Puts the findings on the displays that need the formulas in the place of those before, where they say more.
-    pub fn merged(&self, found: &mut [Equation], again: &[Equation]) {
+    pub fn merged(&self, found: &mut [Equation], again: &[Equation], notes: &Notes) {
         for (place, needed) in &self.targets {
             let Some(mut new) = again.get(*place).filter(|new| new.id == found[*place].id).cloned() else { continue };
             let follows = matches!(new.finding.verdict, Verdict::Certified | Verdict::Verified);
@@ -102,7 +103,8 @@ impl Formulas {
             }
             let shown = |at: &usize| {
                 let name = text::plain(&self.given[*at].name.to_string());
-                format!("the formula of {name} in ({})", self.printed_in[*at])
+                let id = notes.equations[self.printed_at[*at]].id().unwrap_or_default();
+                format!("the formula of {name} in ({id})")
             };
             let uses = needed.iter().map(shown).collect::<Vec<_>>().join(" and ");
             let message = &mut new.finding.message;
